@@ -48,6 +48,7 @@ architecture rtl of memory is
 
   constant bank_bits : address_bits_t := bits_of_banks(size_bytes);
   subtype banks_t is natural range 0 to bank_bits'length - 1;
+  constant clears : boolean := shows_clear and banks_t'high > 0;
 
   type bank_words_t is array (banks_t) of std_ulogic_vector(31 downto 0);
 
@@ -82,8 +83,9 @@ architecture rtl of memory is
     return word;
   end function;
 
-  -- What each bank shows, and which of them was requested.
+  -- What each bank shows, in its block RAM and on the way from it, and which of them was requested.
   signal bank_instruction, bank_data : bank_words_t;
+  signal way_from_instruction, way_from_data : bank_words_t;
   signal upper_shown, lower_shown, data_shown : std_ulogic_vector(banks_t);
   signal upper_instruction, lower_instruction : std_ulogic_vector(31 downto 0);
 
@@ -95,46 +97,55 @@ begin
   banks : for bank in banks_t generate
     constant bits : natural := bank_bits(bank);
     subtype word_address_t is natural range 0 to 2 ** (bits - 2) - 1;
+    -- What goes to the block RAM, with no gate behind it but for clears_data: addresses, enables, and what
+    -- clears what it shows.
     signal upper_word, lower_word, data_word : word_address_t;
+    signal reads_instruction, accesses_data : std_ulogic;
+    signal clears_upper, clears_lower, clears_data : std_ulogic;
     signal data_here, upper_here, lower_here : std_ulogic;
   begin
 
     upper_word <= to_integer(instruction_request.upper_address(bits - 1 downto 2));
     lower_word <= to_integer(instruction_request.lower_address(bits - 1 downto 2));
     data_word <= to_integer(data_request.address(bits - 1 downto 2));
+    reads_instruction <= instruction_request.enable;
+    accesses_data <= data_request.enable;
+    clears_upper <= instruction_request.enable and not upper_here when clears else '0';
+    clears_lower <= instruction_request.enable and not lower_here when clears else '0';
+    clears_data <= not data_here when clears else '0';
 
     -- One array of bytes per lane: the form in which every tool finds block RAM with byte writes.
     lanes : for lane in 0 to 3 generate
       type bytes_t is array (2 ** (bits - 2) - 1 downto 0) of std_ulogic_vector(7 downto 0);
       signal bytes : bytes_t;
       signal instruction_word : word_address_t;
-      signal clear_instruction, clear_data : std_ulogic;
+      signal clear_instruction : std_ulogic;
     begin
 
       instruction_word <= lower_word when lane < 2 else upper_word;
-      clear_instruction <= '0' when not shows_clear else not lower_here when lane < 2 else not upper_here;
-      clear_data <= '0' when not shows_clear else not data_here;
+      clear_instruction <= clears_lower when lane < 2 else clears_upper;
 
       read_instruction : process
       begin
         wait until rising_edge(clk);
-        if instruction_request.enable then
+        if reads_instruction then
           bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= bytes(instruction_word);
-          if clear_instruction then
-            bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
-          end if;
+        end if;
+        if clear_instruction then
+          bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
         end if;
       end process;
 
       access_data : process
       begin
         wait until rising_edge(clk);
-        if data_request.enable then
+        if accesses_data then
           if data_request.write_bytes(lane) and data_here then
             bytes(data_word) <= data_request.data(8 * lane + 7 downto 8 * lane);
           else
             bank_data(bank)(8 * lane + 7 downto 8 * lane) <= bytes(data_word);
-            if clear_data then
+            -- Only here: while it is cleared the block RAM does not write.
+            if clears_data then
               bank_data(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
             end if;
           end if;
@@ -161,9 +172,11 @@ begin
 
   end generate;
 
-  upper_instruction <= selected(bank_instruction, upper_shown);
-  lower_instruction <= selected(bank_instruction, lower_shown);
+  way_from_instruction <= bank_instruction;
+  way_from_data <= bank_data;
+  upper_instruction <= selected(way_from_instruction, upper_shown);
+  lower_instruction <= selected(way_from_instruction, lower_shown);
   instruction_data <= upper_instruction(31 downto 16) & lower_instruction(15 downto 0);
-  data <= selected(bank_data, data_shown);
+  data <= selected(way_from_data, data_shown);
 
 end architecture;

@@ -44,10 +44,11 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
 # Yosys has no delays for the block RAM, so it would optimise the wrong paths. For mapping, each
 # wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: these paths
 # are the longest even so and are mapped as short as they can be, and every other path may become as long.
+# Nor does it know how long wires with many loads are: the last to settle in a clock pass such a cell as well.
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
-    (I => O) = 4900;
+    (I => O) = 3900;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
@@ -55,34 +56,59 @@ endmodule
     (I => O) = 2000;
   endspecify
 endmodule
+(* blackbox, abc9_box *) module way_to_many (input I, output O);
+  specify
+    (I => O) = 1300;
+  endspecify
+endmodule
 END
 cat > work/no_ways.v <<'END'
 module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
+module way_to_many (input I, output O); assign O = I; endmodule
 END
 awk '
   /^module memory(_|$)/ { inside = 1 }
-  inside && match($0, /^ *input +(\[[0-9]+:0\] )?(instruction|data)_request_[a-z_]+/) {
-    width = $2 ~ /^\[/ ? $2 : "[0:0]"
-    name = $2 ~ /^\[/ ? $3 : $2
+  inside && match($0, /^ *input +\[[0-9]+:0\] data_request_(data|write_bytes)/) {
+    name = $3
     sub(/[,)].*/, "", name)
-    ways = ways "  wire " width " near_" name ";\n  way_to_block_ram way_to_" name " " width \
+    ways = ways "  wire " $2 " near_" name ";\n  way_to_block_ram way_to_" name " " $2 \
       " (.I(" name "), .O(near_" name "));\n"
     print
     next
   }
   inside && !body { print; if (/\);/) { body = 1; printf "%s", ways }; next }
-  inside && match($0, /^ *assign (instruction_data|data) = [^;]*;/) {
-    split($0, part, /[ =;]+/)
-    print "  way_from_block_ram way_from_" part[3] " [31:0] (.I(" part[4] "), .O(" part[3] "));"
+  inside && /^ *wire \[[0-9]+:0\] (banks_n[0-9]+|way_from)_/ { range[substr($3, 1, length($3) - 1)] = $2 " " }
+  inside && /^ *assign banks_n[0-9]+_((upper|lower|data)_word|reads_instruction|accesses_data|clears_(upper|lower)) = [^\47]*;/ {
+    sub(/;/, "", $4)
+    print "  way_to_block_ram way_to_" $2 " " range[$2] "(.I(" $4 "), .O(" $2 "));"
     next
   }
-  inside { gsub(/(instruction|data)_request_/, "near_&") }
+  inside && /^ *assign way_from_(instruction|data) = [^;]*;/ {
+    sub(/;/, "", $4)
+    print "  way_from_block_ram " $2 "_cells " range[$2] "(.I(" $4 "), .O(" $2 "));"
+    next
+  }
+  inside { gsub(/data_request_(data|write_bytes)/, "near_&") }
+  /^module time_base$/ { many = 1 }
+  many && /^ *assign (moves|accelerates|counts|loads) = n[0-9]+_o;/ {
+    sub(/;/, "", $4)
+    print "  way_to_many way_to_" $2 " (.I(" $4 "), .O(" $2 "));"
+    next
+  }
+  /^endmodule/ { many = 0 }
   /^endmodule/ { inside = 0 }
   { print }
 ' work/synthesis.v > work/with_ways.v
-[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = 9 ] ||
+# Of more than one bank each clears the instructions that it shows by two signals.
+ways=$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)
+[ $ways = $((4 + 5 * banks)) ] || [ $ways = $((4 + 7 * banks)) ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
+
+# In a part of the chip there may be none.
+many=$(grep -c 'way_to_many' work/with_ways.v || true)
+[ $many = 4 ] || [ $many = 0 ] ||
+  { echo "failed: time_base has other signals than this script knows" >&2; exit 1; }
 
 # Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these
 # delays include them, in ps.
@@ -98,7 +124,7 @@ awk -v wire=$wire '
 [ "$(grep -c '= 1[0-9]*;' work/cells.v)" = 21 ] ||
   { echo "failed: Yosys' cells have other delays than this script knows" >&2; exit 1; }
 
-# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 9.5 ns is not made
+# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 8.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
@@ -106,7 +132,7 @@ step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;
-  abc9 -maxlut 4 -W $wire -D 9500;
+  abc9 -maxlut 4 -W $wire -D 8500;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;
