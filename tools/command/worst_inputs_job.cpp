@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tools/command/build.hpp"
@@ -19,6 +20,11 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
   WorstInputs found;
   found.rows = timing::task_rows(program, analysis);
+  const timing::Load load = timing::load_of(program, analysis, found.rows);
+  found.between_tasks = load.start.value_or(0);
+  for (const auto& gap : load.gaps) {
+    found.between_tasks = std::max(found.between_tasks, gap.value_or(0));
+  }
   found.rows.erase(found.rows.begin());  // the pass
   const sim::ElfImage firmware = sim::read_elf(build_folder() / "firmware" / "firmware.elf");
   const machine::Description description = description_of({});
@@ -41,8 +47,9 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
 
 std::string to_text(const WorstInputs& found) {
   std::string text = timing::to_text(found.rows, tasks_clock_hz);
-  text += fmt::format("{} inputs, {} resets; the worst input of each task:\n", found.inputs,
-                      found.resets);
+  text += fmt::format(
+      "between tasks, {} clocks at most; {} inputs, {} resets; the worst input of each task:\n",
+      found.between_tasks, found.inputs, found.resets);
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     text += fmt::format("{}: {}\n", found.rows[task].name, found.worst[task]);
   }

@@ -16,15 +16,14 @@ struct WorstInputs {
   std::vector<timing::TaskRow>
       rows;  // the tasks, without the pass; measured by the firmware itself
   std::vector<std::string> worst;  // by task, readable
+  // The firmware's measurement of a task begins where the one before has ended: it may be so much
+  // longer than the task's bound.
+  timing::Clocks between_tasks{};
 };
 
 // Co-simulates so many inputs, one after the other, on one printer. The same seed finds the same.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 std::uint64_t inputs, std::uint64_t seed);
-
-// What a task was measured to take is at most this longer than its bound allows: the firmware's own
-// measurement of a task begins where that of the task before has read the timer.
-inline constexpr timing::Clocks between_tasks = 100;
 
 std::string to_text(const WorstInputs& found);
 std::string to_json(const WorstInputs& found);
