@@ -8,7 +8,6 @@
 
 #include "tools/command/build.hpp"
 #include "tools/command/printer_setup.hpp"
-#include "tools/command/progress.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/task_times.hpp"
 #include "tools/worst_inputs/search.hpp"
