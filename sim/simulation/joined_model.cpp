@@ -230,10 +230,12 @@ ProcessorStatistics JoinedModel::processor_statistics() const {
           .accesses = state.accesses};
 }
 
-// After some clocks, and permanently.
+// After some clocks, and permanently: with a deadline of the timer in the next clock the netlist of
+// the whole chip would not fall asleep.
 bool JoinedModel::sleeps() const {
   const processor::MachineState& state = processor_->state();
-  return state.asleep && state.begins + settling_clocks <= now_ && state.lines == lines_ &&
+  return state.asleep && model_->at_rest_processor != 0 &&
+         state.begins + settling_clocks <= now_ && state.lines == lines_ &&
          state.lines_seen + settling_clocks <= now_ && (lines_ & state.interrupts_enabled) == 0;
 }
 
