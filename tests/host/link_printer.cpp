@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 namespace host_test {
 
@@ -14,6 +16,17 @@ namespace {
 
 units::Milliseconds link_time(std::chrono::milliseconds now) {
   return units::Milliseconds(now.count());
+}
+
+// What follows `prefix`. None for another command, or one whose number noise has removed: it is
+// refused.
+std::optional<double> value_after(std::string_view prefix, std::string_view text) {
+  if (!text.starts_with(prefix)) return std::nullopt;
+  text.remove_prefix(prefix.size());
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace
@@ -49,9 +62,11 @@ void LinkPrinter::obey(const EmergencyCommand& command) {
 
 // True at the end of an M109, and for all other lines.
 bool LinkPrinter::is_heated(const std::string& text, std::chrono::milliseconds now) {
-  const bool waits = text.starts_with("M109 S");
-  if ((waits || text.starts_with("M104 S")) && !heated_at_) {
-    const double before = std::exchange(hotend_target_, std::stod(text.substr(6)));
+  const auto waited_for = value_after("M109 S", text);
+  const bool waits = waited_for.has_value();
+  const auto target = waits ? waited_for : value_after("M104 S", text);
+  if (target && !heated_at_) {
+    const double before = std::exchange(hotend_target_, *target);
     if (is_hot_ && before == hotend_target_) return true;
   }
   if (!waits) return true;
@@ -87,8 +102,8 @@ bool LinkPrinter::execute(const host_link::AcceptedLine& line, std::chrono::mill
     said_at_rest = at_rest_;
   } else if (!line.number) {
     if (!line.emergency) typed.push_back(text);
-    if (text.starts_with("M155 S")) {
-      report_interval_ = std::chrono::seconds(std::stoi(text.substr(6)));
+    if (const auto interval = value_after("M155 S", text)) {
+      report_interval_ = std::chrono::seconds(static_cast<int>(*interval));
     }
   } else if (text != "M400" && !text.starts_with("M110")) {
     executed.push_back(text);
