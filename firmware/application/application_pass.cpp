@@ -2,9 +2,11 @@
 // One pass of the loop: the tasks in turn, and what waits while motion needs lines.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "application/application.hpp"
 #include "application/task_table.hpp"
+#include "host_link/replies.hpp"
 #include "units/event_bound.hpp"
 #include "units/task_span.hpp"
 
@@ -23,11 +25,13 @@ constexpr auto needs = [] {
   return parts;
 }();
 
-// What a task says: the queue's bytes, and the texts that they come from.
+// What a task says: the queue's bytes, and the texts that they come from; how many of its numbers may
+// need more than 32 bits.
+template <std::uint32_t long_digits>
 struct WordsBound {
   units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> bytes;
   units::EventBound<units::Event::character_written, host_link::TextLine::capacity * 3> characters;
-  units::EventBound<units::Event::long_digit, 0> digits;
+  units::EventBound<units::Event::long_digit, long_digits> digits;
 };
 
 }  // namespace
@@ -87,7 +91,7 @@ bool Application::work(Now now) {
     case Task::faults:
       if (!may_begin(Task::faults)) return true;
       run<Task::faults>([&] {
-        const WordsBound words;
+        const WordsBound<0> words;
         look_for_faults();
       });
       if (halted_) return true;
@@ -109,7 +113,7 @@ bool Application::work(Now now) {
     case Task::reports:
       if (!may_begin(Task::reports)) return true;
       run<Task::reports>([&] {
-        const WordsBound words;
+        const WordsBound<host_link::long_digits_of_position> words;
         report(now);
       });
       if (halted_) return true;

@@ -69,7 +69,7 @@ void add_waiting_time(TextLine& report, std::optional<std::int32_t> seconds_left
 
 TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count, std::string_view motors) {
-  units::EventBound<units::Event::long_digit, 0> numbers;
+  units::EventBound<units::Event::long_digit, long_digits_of_position> numbers;
   TextLine line;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     line.character(units::axis_letters[axis]).character(':');

@@ -35,6 +35,9 @@ TextLine temperature_report(const HeaterState& active, const HeaterState& bed,
 // temperature must still hold, or " W:?" while it is not yet reached.
 void add_waiting_time(TextLine& report, std::optional<std::int32_t> seconds_left);
 
+// Numbers of a position report that need more than 32 bits: G92 sets any coordinate.
+inline constexpr std::uint32_t long_digits_of_position = units::axis_count;
+
 // M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was requested and the motors' steps.
 TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count,

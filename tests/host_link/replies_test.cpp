@@ -102,6 +102,14 @@ TEST(replies, report_the_position_in_the_order_that_octoprint_needs) {
             "X:10.00 Y:-0.50 Z:0.00 E:1234.57 Count X:800 Y:-40 Z:0");
 }
 
+TEST(replies, report_coordinates_as_far_away_as_g92_sets_them) {
+  units::PerAxis<units::Position> position;
+  position.fill(Nanometers(-1'000'000'000'000'000));
+  EXPECT_EQ(text(position_report(position, {Steps(1), Steps(2), Steps(3), Steps(0)})),
+            "X:-1000000000.00 Y:-1000000000.00 Z:-1000000000.00 E:-1000000000.00 "
+            "Count X:1 Y:2 Z:3");
+}
+
 TEST(replies, describe_the_firmware_line_by_line) {
   constexpr std::array capabilities{Capability{"EMERGENCY_PARSER", true},
                                     Capability{"AUTOREPORT_TEMP", false}};
