@@ -118,7 +118,8 @@ bool ExecutorModel::exchange(std::string_view text, bool waits) {
   check_targets();
   check_extremes();
   if (!answered) return false;
-  if (instant_chip().stopped()) pass();
+  // What a fault has to say is sent in the next pass.
+  if (instant_chip().stopped() || rejected_) pass();
   if (rejected_ && !switched_off_) before.require_unchanged(text);
   return true;
 }
