@@ -64,8 +64,8 @@ bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
   hardware_.uart.set_line_ends(host_link::line_feed, host_link::carriage_return);
   const bool shaped = motion_.start();
-  longest_pass_us_ = static_cast<std::uint32_t>(
-      std::min(motion_.longest_pass(), motion::Planner::horizon).count());
+  longest_pass_clocks_ = clock_.clocks_in(static_cast<std::uint32_t>(
+      std::min(motion_.longest_pass(), motion::Planner::horizon).count()));
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
@@ -117,7 +117,7 @@ void Application::act_on_emergencies() {
 }
 
 // What fan and filament take away, which the heaters' model must know: about once a second.
-void Application::note_cooling(Now now) {
+void Application::note_cooling(const Now& now) {
   if (now.milliseconds < next_cooling_) return;
   next_cooling_ = now.milliseconds + cooling_period;
   constexpr std::int32_t most_steps = 2'000'000;  // more is a counter that has jumped
@@ -156,7 +156,7 @@ void Application::look_for_faults() {
 }
 
 // Without room a report is left out: the next one is newer.
-void Application::report(Now now) {
+void Application::report(const Now& now) {
   const auto due = [now](units::Milliseconds interval, units::Milliseconds& next) {
     if (interval.count() == 0 || now.milliseconds < next) return false;
     next = now.milliseconds + interval;
@@ -179,7 +179,7 @@ void Application::say_temperatures() {
 void Application::say_position() { link_.say(executor_.groups().reports.position_line().view()); }
 
 // The heaters must not stay on forever after the host has disconnected.
-void Application::switch_off_forgotten_heaters(Now now) {
+void Application::switch_off_forgotten_heaters(const Now& now) {
   if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
     last_work_ = now.milliseconds;
     link_.work_goes_on();
@@ -195,7 +195,7 @@ void Application::switch_off_forgotten_heaters(Now now) {
   link_.say("echo:No word from the host, heaters off");
 }
 
-void Application::switch_off_idle_motors(Now now) {
+void Application::switch_off_idle_motors(const Now& now) {
   const units::Milliseconds timeout = executor_.groups().motion.motor_timeout();
   if (timeout.count() == 0 || !motion_.at_rest()) {
     at_rest_since_ = now.milliseconds;
@@ -206,7 +206,7 @@ void Application::switch_off_idle_motors(Now now) {
   at_rest_since_ = now.milliseconds;
 }
 
-void Application::count(Now now) {
+void Application::count(const Now& now) {
   if (now.milliseconds < next_count_) return;
   next_count_ = now.milliseconds + count_period;
   const auto link = link_.statistics();
@@ -235,7 +235,7 @@ void Application::halt(std::string_view fault) {
 // Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
 // answered with the fault again, at most once a second, so that a host that connects now
 // learns why. M999 ends it.
-void Application::serve_halted(Now now) {
+void Application::serve_halted(const Now& now) {
   units::EventBound<units::Event::byte_received, units::longest_text> read;
   units::EventBound<units::Event::byte_taken, units::longest_text> taken;
   units::EventBound<units::Event::line_taken, 1> lines;

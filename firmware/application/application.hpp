@@ -48,31 +48,30 @@ class Application {
   const HeatTask& heat() const { return heat_; }
 
  private:
-  bool work(Now now);
+  bool work(const Now& now);
   bool refill();
   [[gnu::noinline]] bool may_begin(units::Task task);
-  [[gnu::noinline]] Now time();
   std::int32_t need_of(units::Task task) const;
-  std::int32_t left_in_hand();
+  std::int32_t left_in_hand() const;
   void set_alarms();
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
-  void exchange_bytes(Now now);
-  [[gnu::noinline]] void receive(Now now);
+  void exchange_bytes(const Now& now);
+  [[gnu::noinline]] void receive(const Now& now);
   void transmit();
   void act_on_emergencies();
-  void note_cooling(Now now);
+  void note_cooling(const Now& now);
   void look_for_faults();
   template <units::Task task, class Work>
   auto run(const Work& work);
-  void report(Now now);
+  void report(const Now& now);
   // Not inlined, or their lines would lie on the stack below each task.
   [[gnu::noinline]] void say_temperatures();
   [[gnu::noinline]] void say_position();
-  void switch_off_idle_motors(Now now);
-  void switch_off_forgotten_heaters(Now now);
-  void count(Now now);
+  void switch_off_idle_motors(const Now& now);
+  void switch_off_forgotten_heaters(const Now& now);
+  void count(const Now& now);
   void halt(std::string_view fault);
-  void serve_halted(Now now);
+  void serve_halted(const Now& now);
 
   const MachineDescription& machine_;
   Hardware& hardware_;
@@ -95,10 +94,10 @@ class Application {
   std::uint32_t extruder_steps_{};  // when it was looked at last
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};  // likewise
   host_link::TextLine fault_;
-  std::uint32_t longest_pass_us_{};  // what a refill is to have in hand
-  // What motion has in hand behind the last refill, in microseconds at that time.
-  std::int32_t in_hand_{MotionTask::no_haste};
-  std::uint32_t in_hand_at_{};
+  std::uint32_t longest_pass_clocks_{};  // what a refill is to have in hand
+  // When all is over that motion has in hand behind the last refill: the lower half of the time.
+  std::uint32_t in_hand_until_{};
+  bool in_haste_{};  // whether it goes on into lines that wait
   units::Task next_{};  // of the round, that a pass goes on with
   bool halted_{};
   bool restart_wanted_{};

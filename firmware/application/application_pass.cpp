@@ -42,8 +42,8 @@ auto Application::run(const Work& work) {
     ~Slice() { watch.end(task); }
     TaskWatch& watch;
   };
-  const units::TaskSpan<task> span;
   const Slice slice{task_watch_};
+  const units::TaskSpan<task> span;
   return work();
 }
 
@@ -67,7 +67,8 @@ bool Application::update() {
   run<Task::rest>([&] {
     heat_.complete_feed();
     count(now);
-    const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
+    const std::uint32_t pass =
+        hardware_.timer.now_low() - static_cast<std::uint32_t>(began.count());
     counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
     if (more) return;
     set_alarms();
@@ -77,7 +78,7 @@ bool Application::update() {
 
 // The rest of a round: each task in its turn, until one must wait, with which the next pass begins.
 // True if there is more to do at once.
-bool Application::work(Now now) {
+bool Application::work(const Now& now) {
   if (motion_.collecting()) return true;
   switch (next_) {
     default:
@@ -100,7 +101,7 @@ bool Application::work(Now now) {
       if (heat_.is_due(now.milliseconds)) {
         if (!may_begin(Task::heat)) return true;
         run<Task::heat>([&] {
-          const Now then = time();
+          const Now then = clock_.update(hardware_.timer.now());
           note_cooling(then);
           heat_.update(then);
         });
@@ -143,46 +144,45 @@ bool Application::refill() {
   constexpr auto most_segments = (task_timing::lines_of_a_refill + 1) * motion::most_phases;
   units::EventBound<units::Event::segment_made, most_segments> segments;
   units::LoopBound<task_timing::lines_of_a_refill> lines;
-  units::Microseconds now;
+  units::Cycles began;
   bool more = true;
   for (unsigned i = 0; more && i < task_timing::lines_of_a_refill; ++i) {
     lines.next();
-    now = time().microseconds;
-    more = motion_.refill(now);
+    began = hardware_.timer.now();
+    more = motion_.refill(clock_.update(began).microseconds);
   }
-  in_hand_ = motion_.time_in_hand();
-  in_hand_at_ = static_cast<std::uint32_t>(now.count());
+  const std::int32_t in_hand = motion_.time_in_hand();
+  in_haste_ = in_hand != MotionTask::no_haste;
+  in_hand_until_ = static_cast<std::uint32_t>(began.count()) +
+                   clock_.clocks_in(static_cast<std::uint32_t>(std::max<std::int32_t>(in_hand, 0)));
   return more;
 }
 
-// Whether motion does not end before the task has: otherwise it is the next one.
+// Whether motion does not end before the task has: otherwise it is the next one. By the time at
+// which the task before has ended.
 bool Application::may_begin(Task task) {
   next_ = task;
-  return in_hand_ == MotionTask::no_haste || left_in_hand() >= need_of(task);
+  return !in_haste_ || left_in_hand() >= need_of(task);
 }
 
 std::int32_t Application::need_of(Task task) const {
-  return static_cast<std::int32_t>(longest_pass_us_ * needs[static_cast<std::size_t>(task)] /
+  return static_cast<std::int32_t>(longest_pass_clocks_ * needs[static_cast<std::size_t>(task)] /
                                    whole_need);
 }
 
-std::int32_t Application::left_in_hand() {
-  const std::uint32_t passed =
-      static_cast<std::uint32_t>(time().microseconds.count()) - in_hand_at_;
-  return in_hand_ - static_cast<std::int32_t>(passed);
+std::int32_t Application::left_in_hand() const {
+  return static_cast<std::int32_t>(in_hand_until_ - task_watch_.last());
 }
-
-Now Application::time() { return clock_.update(hardware_.timer.now()); }
 
 // The events that end the sleep after this pass. Motion ends it before it needs its next line.
 void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   std::int32_t ticks = at_rest ? ticks_at_rest : ticks_at_work;
-  if (in_hand_ != MotionTask::no_haste) {
-    const std::int32_t kept =
-        motion_.queue_full() ? need_of(Task::refill) : static_cast<std::int32_t>(longest_pass_us_);
-    const std::int32_t left = left_in_hand() - kept;
-    if (left < ticks * 1000) ticks = left < 0 ? 0 : left / 1000;
+  if (in_haste_) {
+    const auto kept = static_cast<std::int32_t>(longest_pass_clocks_);
+    const std::int32_t left =
+        left_in_hand() - (motion_.queue_full() ? need_of(Task::refill) : kept);
+    ticks = left < 0 ? 0 : std::min(ticks, clock_.ticks_in(static_cast<std::uint32_t>(left)));
   }
   hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(static_cast<std::uint32_t>(ticks)));

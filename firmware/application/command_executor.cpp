@@ -29,7 +29,7 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
       active_(link),
       query_(link) {}
 
-bool CommandExecutor::update(Now now) {
+bool CommandExecutor::update(const Now& now) {
   // None leaves the queue meanwhile; a line that finds no room there is the last.
   units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> replies;
   units::EventBound<units::Event::character_written, most_characters> characters;

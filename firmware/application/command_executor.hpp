@@ -22,7 +22,7 @@ class CommandExecutor {
                   FilamentCommands* filament = nullptr);
 
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
-  [[gnu::noinline]] bool update(Now now);
+  [[gnu::noinline]] bool update(const Now& now);
 
   // M108, M410, M602, M876 and the host's actions, the moment they are received.
   void cancel_wait() {

@@ -146,7 +146,7 @@ bool HeatTask::is_due(units::Milliseconds now) const {
   return next_ + 1 < parts() || now - fed_ >= task_timing::least_heat_period;
 }
 
-void HeatTask::update(Now now) {
+void HeatTask::update(const Now& now) {
   if (next_ == 0) {
     round_began_ = now.milliseconds;
     watch_supply(now.milliseconds);
@@ -203,7 +203,7 @@ void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
   if (!part.limits_locked) hardware_fault_ = "Error:Heater limits refused";
 }
 
-void HeatTask::update(Part& part, Now now) {
+void HeatTask::update(Part& part, const Now& now) {
   const std::size_t gate = part.description.heater_channel;
   const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
   if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok) {

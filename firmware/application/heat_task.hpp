@@ -38,7 +38,7 @@ class HeatTask {
   // The turn of the next part: each has one in every thermal::HeaterLoop::period.
   bool is_due(units::Milliseconds now) const;
   // That turn.
-  void update(Now now);
+  void update(const Now& now);
   // At the end of a pass, after all tasks: the watchdog's second key, if update() has
   // fed the first.
   void complete_feed();
@@ -111,7 +111,7 @@ class HeatTask {
   }
   Part& part(Heater heater) { return part(static_cast<std::size_t>(heater)); }
   const Part& part(Heater heater) const { return part(static_cast<std::size_t>(heater)); }
-  void update(Part& part, Now now);
+  void update(Part& part, const Now& now);
   void lock_limits(Part& part, const thermal::SensorReading& reading);
   void watch_supply(units::Milliseconds now);
 

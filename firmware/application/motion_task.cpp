@@ -150,12 +150,12 @@ bool MotionTask::set_shaping(const motion::ShapingSettings& settings) {
   return shaping_->configure(settings);
 }
 
-void MotionTask::update(Now now) {
+void MotionTask::update(const Now& now) {
   step_generator_.feed_watchdog();
   pace_.update(now.microseconds, step_generator_.moving());
 }
 
-void MotionTask::plan(Now now) {
+void MotionTask::plan(const Now& now) {
   // All else waits for the next pass.
   if (settle_stop(now.milliseconds)) return;
   if (!line_is_whole() && planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();

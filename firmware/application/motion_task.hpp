@@ -32,15 +32,17 @@ class MotionTask {
   // shaping is out of range, and thus off.
   bool start();
   // Every pass of the loop, first: the sign of life, and the time of motion.
-  void update(Now now);
+  void update(const Now& now);
   // Stops, chords, homing.
-  [[gnu::noinline]] void plan(Now now);
+  [[gnu::noinline]] void plan(const Now& now);
   // Hands over a line, or what of it the step generator has room for, if that is due. True if there
   // may be more.
   bool refill(units::Microseconds now);
   // How long motion goes on by itself at least, where lines wait that must go on before it ends:
   // microseconds at refill(), no_haste or less.
   static constexpr std::int32_t no_haste = 1 << 30;
+  // Of more no task asks; as clocks it fits into 31 bits.
+  static constexpr std::int32_t most_in_hand = 1'000'000;
   std::int32_t time_in_hand() const;
   // The lines of a start are collected before it, while all else waits.
   bool collecting() const {

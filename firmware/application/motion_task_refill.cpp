@@ -21,7 +21,7 @@ std::int32_t MotionTask::time_in_hand() const {
   if (!goes_on || is_shaped() || step_generator_.stopped()) return no_haste;
   units::Microseconds in_hand = planner_.in_hand(pace_.time());
   if (queue_full_) in_hand = std::min(in_hand, queue_lasts_until_ - pace_.time());
-  return static_cast<std::int32_t>(std::min<std::int64_t>(in_hand.count(), no_haste));
+  return static_cast<std::int32_t>(std::min<std::int64_t>(in_hand.count(), most_in_hand));
 }
 
 bool MotionTask::refill(units::Microseconds now) {

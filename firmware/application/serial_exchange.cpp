@@ -9,7 +9,7 @@
 #include "units/loop_bound.hpp"
 
 namespace application {
-void Application::exchange_bytes(Now now) {
+void Application::exchange_bytes(const Now& now) {
   // None leaves the queue meanwhile.
   using Queue = host_link::TransmitQueue;
   units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
@@ -21,7 +21,7 @@ void Application::exchange_bytes(Now now) {
   link_.update(now.milliseconds, executor_.activity());
 }
 
-void Application::receive(Now now) {
+void Application::receive(const Now& now) {
   units::EventBound<units::Event::byte_received, most_bytes> read;
   units::EventBound<units::Event::byte_taken, most_bytes> taken;
   std::array<char, most_bytes> bytes;

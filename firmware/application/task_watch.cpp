@@ -8,7 +8,7 @@
 namespace application {
 
 void TaskWatch::end(units::Task task) {
-  const auto now = static_cast<std::uint32_t>(timer_.now().count());
+  const std::uint32_t now = timer_.now_low();
   const std::uint32_t slice = now - last_;
   last_ = now;
   const auto index = static_cast<std::size_t>(task);

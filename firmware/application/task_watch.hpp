@@ -21,6 +21,8 @@ class TaskWatch {
   void begin_pass(units::Cycles now) { last_ = static_cast<std::uint32_t>(now.count()); }
   // What has passed since the end of the task before, or the beginning of the pass, was its time.
   [[gnu::noinline]] void end(units::Task task);
+  // The time of that end or beginning: its lower half.
+  std::uint32_t last() const { return last_; }
 
  private:
   const drivers::Timer& timer_;

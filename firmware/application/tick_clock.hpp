@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time in milliseconds and microseconds from a count of clocks, without a 64-bit division per look.
+// Time in milliseconds and microseconds from a count of clocks, without a division per look.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,14 @@ struct Now {
 class TickClock {
  public:
   // A tick is a millisecond, to within one clock: at 4 MHz and more off by less than 0.03 %.
-  explicit constexpr TickClock(units::Hertz clock) : clocks_per_tick_(clock.count() / 1000) {}
+  explicit constexpr TickClock(units::Hertz clock)
+      : clocks_per_tick_(clock.count() / 1000),
+        // Rounded up: the first clock of a microsecond is in it, and the last of a tick below 1000.
+        microseconds_per_clock_(
+            static_cast<std::uint32_t>((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_)),
+        clocks_per_microsecond_(
+            static_cast<std::uint32_t>((std::uint64_t{clocks_per_tick_} << fraction_bits) / 1000)) {
+  }
 
   Now update(units::Cycles clocks) {
     // Of more a division finds the number.
@@ -28,15 +35,15 @@ class TickClock {
       if (i == most_ticks) {
         const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
         tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
-        milliseconds_ += units::Milliseconds(ticks);
+        count(ticks);
         break;
       }
       tick_begin_ += units::Cycles(clocks_per_tick_);
-      milliseconds_ += units::Milliseconds(1);
+      count(1);
     }
     const auto into_tick = static_cast<std::uint32_t>((clocks - tick_begin_).count());
-    const std::uint32_t part = into_tick * 1000 / clocks_per_tick_;  // clocks_per_tick < 2^22
-    return {milliseconds_, units::Microseconds(milliseconds_.count() * 1000 + part)};
+    const std::uint64_t part = std::uint64_t{into_tick} * microseconds_per_clock_ / word;
+    return {milliseconds_, microseconds_ + units::Microseconds(static_cast<std::int64_t>(part))};
   }
 
   units::Cycles next_tick() const { return tick_begin_ + units::Cycles(clocks_per_tick_); }
@@ -44,10 +51,30 @@ class TickClock {
   units::Cycles in_ticks(std::uint32_t ticks) const {
     return tick_begin_ + units::Cycles(std::int64_t{clocks_per_tick_} * ticks);
   }
+  // Whole ticks in so many clocks.
+  std::int32_t ticks_in(std::uint32_t clocks) const {
+    return static_cast<std::int32_t>(clocks / clocks_per_tick_);
+  }
+  // Of a time below an hour, rounded down. The lower half of the number, as of all clocks.
+  std::uint32_t clocks_in(std::uint32_t microseconds) const {
+    return static_cast<std::uint32_t>(std::uint64_t{microseconds} * clocks_per_microsecond_ >>
+                                      fraction_bits);
+  }
 
  private:
-  std::uint32_t clocks_per_tick_;
+  static constexpr std::uint64_t word = std::uint64_t{1} << 32;
+  static constexpr unsigned fraction_bits = 20;
+
+  void count(std::int64_t ticks) {
+    milliseconds_ += units::Milliseconds(ticks);
+    microseconds_ += units::Microseconds(ticks * 1000);
+  }
+
+  std::uint32_t clocks_per_tick_;  // below 2^22
+  std::uint32_t microseconds_per_clock_;  // of 2^32
+  std::uint32_t clocks_per_microsecond_;  // with `fraction_bits` fractional bits
   units::Cycles tick_begin_{};
+  units::Microseconds microseconds_{};  // at the tick's beginning
   units::Milliseconds milliseconds_{};
 };
 

@@ -16,6 +16,8 @@ units::Cycles Timer::now() const {
   return units::Cycles(static_cast<std::int64_t>(platform::read<timer_registers::Time>().cycles));
 }
 
+std::uint32_t Timer::now_low() const { return platform::read<timer_registers::TimeLow>().cycles; }
+
 void Timer::set_deadline(units::Cycles deadline) {
   platform::write(timer_registers::Compare{.cycles = static_cast<std::uint64_t>(deadline.count())});
 }

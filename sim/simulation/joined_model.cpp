@@ -234,9 +234,9 @@ ProcessorStatistics JoinedModel::processor_statistics() const {
 // the whole chip would not fall asleep.
 bool JoinedModel::sleeps() const {
   const processor::MachineState& state = processor_->state();
-  return state.asleep && model_->at_rest_processor != 0 &&
-         state.begins + settling_clocks <= now_ && state.lines == lines_ &&
-         state.lines_seen + settling_clocks <= now_ && (lines_ & state.interrupts_enabled) == 0;
+  return state.asleep && model_->at_rest_processor != 0 && state.begins + settling_clocks <= now_ &&
+         state.lines == lines_ && state.lines_seen + settling_clocks <= now_ &&
+         (lines_ & state.interrupts_enabled) == 0;
 }
 
 std::optional<replay::Snapshot> JoinedModel::snapshot() const {

@@ -128,7 +128,7 @@ bool Executive::may_begin(std::size_t task) {
   const Clocks need =
       std::min(facts_.allowances[task] + facts_.refill_reserve, longest_ - facts_.refill_margin);
   // Whole microseconds show it a little early or late.
-  const Clocks shown = known_in_hand() + choice_(rounding_);
+  const Clocks shown = known_in_hand(ended_) + choice_(rounding_);
   put_off_ = shown < need + choice_(rounding_);
   if (put_off_) next_ = task;
   return !put_off_;
@@ -137,6 +137,7 @@ bool Executive::may_begin(std::size_t task) {
 void Executive::run(std::size_t task) {
   const Clocks begin = time_;
   time_ += choice_(*load_.tasks[task]);
+  ended_ = time_;
   run_.tasks[task].push_back({begin, time_});
   if (task != heat || !heat_.is_timed) return;
   heat_.was_due = false;
@@ -149,9 +150,9 @@ void Executive::run(std::size_t task) {
   heat_.turn = 1 - heat_.turn;
 }
 
-Clocks Executive::known_in_hand() const {
+Clocks Executive::known_in_hand(Clocks at) const {
   const Clocks until = full_ ? std::min(motion_ends_, full_until_) : motion_ends_;
-  return until > time_ ? until - time_ : 0;
+  return until > at ? until - at : 0;
 }
 
 void Executive::refill() {
@@ -212,7 +213,7 @@ void Executive::sleep() {
   Clocks most = facts_.sleep_ms * (rate_.clock_hz / 1000);
   if (collecting_) return;
   if (in_haste()) {
-    const Clocks in_hand = known_in_hand();
+    const Clocks in_hand = known_in_hand(time_);
     most = std::min(most, in_hand > facts_.refill_reserve ? in_hand - facts_.refill_reserve : 0);
   }
   time_ += choice_(most);

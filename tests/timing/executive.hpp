@@ -66,7 +66,7 @@ class Executive {
   void hand_over(Clocks took);
   void begin_motion();
   void sleep();
-  Clocks known_in_hand() const;
+  Clocks known_in_hand(Clocks at) const;
   bool in_haste() const { return !resting_ && !collecting_; }
   void gap(units::Task before);
   Clocks bound(units::Task task) const { return *load_.tasks[static_cast<std::size_t>(task)]; }
@@ -77,6 +77,7 @@ class Executive {
   Choice choice_;
   Clocks longest_, rounding_;
   Clocks time_{}, pass_began_{};
+  Clocks ended_{};  // the task before; then it is read whether the next one may begin
   // Motion: the ends of the lines that are handed over, and what waits.
   std::deque<Clocks> queue_;
   Clocks motion_ends_{}, collected_{};

@@ -178,7 +178,7 @@ TEST(Schedule, each_number_of_the_rule_is_needed) {
               s.facts.lines_of_a_pass -= s.facts.refill_margin / s.facts.least_line_clocks + 1;
               s.facts.refill_margin = 0;
             }).tasks,
-            10);
+            0);
   EXPECT_GT(misses_with([](Setting& s) {
               s.facts.least_line_clocks = s.facts.least_line_clocks * 3 / 4;
             }).motion,
@@ -260,9 +260,9 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   };
   EXPECT_EQ(worst(Requirement::emergency_stop), 10'020u);
   EXPECT_EQ(worst(Requirement::allowances), 3'000u);
-  // 3 us, a pass, and two lines behind one another, of which the first lasts 400 clocks.
-  EXPECT_EQ(worst(Requirement::reserve), 12u + 300 + (100 + 1'000) - 400);
-  EXPECT_EQ(worst(Requirement::margin), 12u + 300 + 100 + 500);
+  // 3 us, a gap, a pass, and two lines behind one another, of which the first lasts 400 clocks.
+  EXPECT_EQ(worst(Requirement::reserve), 12u + 10 + 300 + (100 + 1'000) - 400);
+  EXPECT_EQ(worst(Requirement::margin), 12u + 300 - 10 + 100 + 500);
   EXPECT_EQ(worst(Requirement::gain), 300u + 1'200);
   EXPECT_EQ(worst(Requirement::queue), 3'000u + facts.refill_reserve + facts.refill_margin);
   EXPECT_EQ(worst(Requirement::horizon), 10u * 400);

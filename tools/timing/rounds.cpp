@@ -20,12 +20,17 @@ std::uint64_t lines_in(std::uint64_t rounds, const Facts& facts) {
 }  // namespace
 
 bool Load::is_whole() const {
-  return pass && start && line && refill_without_line &&
-         std::ranges::all_of(tasks, [](const auto& bound) { return bound.has_value(); }) &&
-         std::ranges::all_of(gaps, [](const auto& bound) { return bound.has_value(); });
+  return pass && line && refill_without_line && gaps_are_bounded() &&
+         std::ranges::all_of(tasks, [](const auto& bound) { return bound.has_value(); });
+}
+
+bool Load::gaps_are_bounded() const {
+  return start && std::ranges::all_of(gaps, [](const auto& bound) { return bound.has_value(); });
 }
 
 Clocks bound_of(const Load& load, Task task) { return *load.tasks[static_cast<std::size_t>(task)]; }
+
+Clocks longest_gap(const Load& load) { return std::max(*load.start, *std::ranges::max(load.gaps)); }
 
 Clocks overhead(const Load& load) {
   return *load.start + bound_of(load, Task::motion) + gap_of(load, Task::motion) +

@@ -16,6 +16,8 @@ inline constexpr std::array<units::Task, units::task_count> all_tasks = [] {
 
 // All of these only of a load that is whole.
 Clocks bound_of(const Load& load, units::Task task);
+// From the end of a task to the beginning of the next, or of a pass to its first.
+Clocks longest_gap(const Load& load);
 // Of a pass that only refills, without the refill: motion, the rest, and the gaps.
 Clocks overhead(const Load& load);
 // Put off while motion needs lines.

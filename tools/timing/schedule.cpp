@@ -105,6 +105,7 @@ Response Situation::allowances() const {
 }
 
 // What must be in hand where no task begins: each line must be there before those before it end.
+// What is in hand is known as of the end of the task before, a gap ago.
 Wide Situation::reserve() const {
   const Wide all = bound(Task::refill), one = thousand * *load_.line;
   Wide longest = 0;
@@ -112,13 +113,14 @@ Wide Situation::reserve() const {
     const Wide there = std::min(all, thousand * *load_.refill_without_line + (line + 1) * one);
     longest = std::max(longest, there - thousand * line * facts_.least_line_clocks);
   }
-  return rounding() + thousand * overhead(load_) + longest;
+  return rounding() + thousand * (longest_gap(load_) + overhead(load_)) + longest;
 }
 
 // How much less than what is due at the end of a refill is in hand when the next pass gets to a
-// task: it may have seen that before a line that has filled the queue.
+// task, at the end of motion's turn: it may have seen that before a line that has filled the queue.
 Wide Situation::margin() const {
-  return rounding() + thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
+  const Clocks to_motion = overhead(load_) - *load_.gaps[static_cast<std::size_t>(Task::motion)];
+  return rounding() + thousand * (to_motion + *load_.refill_without_line + *load_.line);
 }
 
 // What a refill must make sure of, so that the longest of all may begin.

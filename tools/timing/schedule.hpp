@@ -58,6 +58,7 @@ struct Load {
 
   // Nothing without a bound.
   bool is_whole() const;
+  bool gaps_are_bounded() const;
 };
 
 struct Rate {
