@@ -91,6 +91,7 @@ class ActiveCommand : public Reply {
     refused = true;
     const Progress said = say(line);
     units::happens<units::Event::refused>();
+    units::happens<units::Event::settled>();
     return said;
   }
   // Not inlined, or their lines would lie on the stack below each handler.

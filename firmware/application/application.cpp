@@ -155,8 +155,8 @@ void Application::look_for_faults() {
   }
 }
 
-// Without room a report is left out: the next one is newer.
-void Application::report(const Now& now) {
+// Says one thing at most; true if it has. Without room a report is left out: the next one is newer.
+bool Application::report(const Now& now) {
   const auto due = [now](units::Milliseconds interval, units::Milliseconds& next) {
     if (interval.count() == 0 || now.milliseconds < next) return false;
     next = now.milliseconds + interval;
@@ -165,11 +165,17 @@ void Application::report(const Now& now) {
   const ReportCommands& reports = executor_.groups().reports;
   if (!reports.first_temperatures_awaited(now.milliseconds) &&
       due(reports.temperature_interval(), next_report_)) {
+    units::happens<units::Event::long_work>();
     say_temperatures();
+    return true;
   }
-  if (due(reports.position_interval(), next_position_)) say_position();
+  if (due(reports.position_interval(), next_position_)) {
+    units::happens<units::Event::long_work>();
+    say_position();
+    return true;
+  }
   switch_off_idle_motors(now);
-  switch_off_forgotten_heaters(now);
+  return switch_off_forgotten_heaters(now);
 }
 
 void Application::say_temperatures() {
@@ -179,7 +185,7 @@ void Application::say_temperatures() {
 void Application::say_position() { link_.say(executor_.groups().reports.position_line().view()); }
 
 // The heaters must not stay on forever after the host has disconnected.
-void Application::switch_off_forgotten_heaters(const Now& now) {
+bool Application::switch_off_forgotten_heaters(const Now& now) {
   if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
     last_work_ = now.milliseconds;
     link_.work_goes_on();
@@ -187,12 +193,15 @@ void Application::switch_off_forgotten_heaters(const Now& now) {
   const units::Milliseconds quiet = now.milliseconds - std::max(last_work_, link_.last_heard());
   const units::Milliseconds last = executor_.groups().host.inactivity();
   if (last.count() != 0 && quiet >= last) {
-    return halt("Error:!! KILL caused by too much inactive time");
+    halt("Error:!! KILL caused by too much inactive time");
+    return true;
   }
   const units::Milliseconds limit = executor_.groups().host.host_silence();
-  if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return;
+  if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return false;
   heat_.switch_all_off();
+  units::happens<units::Event::long_work>();
   link_.say("echo:No word from the host, heaters off");
+  return true;
 }
 
 void Application::switch_off_idle_motors(const Now& now) {
@@ -222,6 +231,7 @@ void Application::count(const Now& now) {
 
 // Latched until M999 or a reset. `fault` is empty for M112, which needs no reason.
 void Application::halt(std::string_view fault) {
+  units::happens<units::Event::long_work>();
   halted_ = true;
   heat_.shut_down();
   motion_.shut_down();

@@ -63,12 +63,12 @@ class Application {
   void look_for_faults();
   template <units::Task task, class Work>
   auto run(const Work& work);
-  void report(const Now& now);
+  bool report(const Now& now);
   // Not inlined, or their lines would lie on the stack below each task.
   [[gnu::noinline]] void say_temperatures();
   [[gnu::noinline]] void say_position();
   void switch_off_idle_motors(const Now& now);
-  void switch_off_forgotten_heaters(const Now& now);
+  bool switch_off_forgotten_heaters(const Now& now);
   void count(const Now& now);
   void halt(std::string_view fault);
   void serve_halted(const Now& now);

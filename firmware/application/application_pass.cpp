@@ -25,11 +25,11 @@ constexpr auto needs = [] {
   return parts;
 }();
 
-// What a task says: the queue's bytes, and the texts that they come from; how many of its numbers may
-// need more than 32 bits.
+// What a task says, two lines at most: the queue's bytes, and the texts that they come from; how many
+// of its numbers may need more than 32 bits.
 template <std::uint32_t long_digits>
 struct WordsBound {
-  units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> bytes;
+  units::EventBound<units::Event::byte_queued, host_link::TextLine::capacity * 2> bytes;
   units::EventBound<units::Event::character_written, host_link::TextLine::capacity * 3> characters;
   units::EventBound<units::Event::long_digit, long_digits> digits;
 };
@@ -52,6 +52,7 @@ bool Application::update() {
   task_watch_.begin_pass(began);
   const Now now = clock_.update(began);
   bool more = false;
+  units::EventBound<units::Event::long_work, 1> works;
   if (halted_) {
     serve_halted(now);
     transmit();
@@ -76,8 +77,8 @@ bool Application::update() {
   return more;
 }
 
-// The rest of a round: each task in its turn, until one must wait, with which the next pass begins.
-// True if there is more to do at once.
+// The rest of a round: each task in its turn, until one must wait, or one has taken long, behind
+// which the next pass goes on. True if there is more to do at once.
 bool Application::work(const Now& now) {
   if (motion_.collecting()) return true;
   switch (next_) {
@@ -101,10 +102,13 @@ bool Application::work(const Now& now) {
       if (heat_.is_due(now.milliseconds)) {
         if (!may_begin(Task::heat)) return true;
         run<Task::heat>([&] {
+          units::happens<units::Event::long_work>();
           const Now then = clock_.update(hardware_.timer.now());
           note_cooling(then);
           heat_.update(then);
         });
+        next_ = Task::planning;
+        return true;
       }
       [[fallthrough]];
     case Task::planning:
@@ -113,17 +117,20 @@ bool Application::work(const Now& now) {
       [[fallthrough]];
     case Task::reports:
       if (!may_begin(Task::reports)) return true;
-      run<Task::reports>([&] {
-        const WordsBound<host_link::long_digits_of_position> words;
-        report(now);
-      });
-      if (halted_) return true;
+      next_ = Task::commands;
+      if (run<Task::reports>([&] {
+            const WordsBound<host_link::long_digits_of_position> words;
+            return report(now);
+          })) {
+        return true;
+      }
       [[fallthrough]];
     case Task::commands:
       if (!may_begin(Task::commands)) return true;
   }
   next_ = {};
   return run<Task::commands>([&] {
+    units::happens<units::Event::long_work>();
     // What has come is taken first where there is room for it: it may be a line that needs no turn.
     const bool looks_first =
         hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity;
@@ -182,7 +189,12 @@ void Application::set_alarms() {
     const auto kept = static_cast<std::int32_t>(longest_pass_clocks_);
     const std::int32_t left =
         left_in_hand() - (motion_.queue_full() ? need_of(Task::refill) : kept);
-    ticks = left < 0 ? 0 : std::min(ticks, clock_.ticks_in(static_cast<std::uint32_t>(left)));
+    if (left < 0) {
+      ticks = 0;
+    } else {
+      const std::uint32_t most = clock_.ticks_in(static_cast<std::uint32_t>(left));
+      ticks = std::min(ticks, static_cast<std::int32_t>(most));
+    }
   }
   hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(static_cast<std::uint32_t>(ticks)));

@@ -10,10 +10,11 @@
 namespace application {
 namespace {
 
-// Of the texts that one update puts together: what the queue holds, a line that finds no room
-// there, and parts of them that are put together before.
-constexpr std::uint32_t most_characters =
-    host_link::TransmitQueue::capacity + 3 * host_link::TextLine::capacity;
+// One update says a line and its ok, which may report something.
+constexpr std::uint32_t most_bytes_said = 2 * host_link::TextLine::capacity;
+// Of the texts that it puts together: what it says, a line that finds no room in the queue, and parts
+// of them that are put together before.
+constexpr std::uint32_t most_characters = most_bytes_said + 3 * host_link::TextLine::capacity;
 // Of one number.
 constexpr std::uint32_t most_long_digits = 10;
 
@@ -30,12 +31,12 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
       query_(link) {}
 
 bool CommandExecutor::update(const Now& now) {
-  // None leaves the queue meanwhile; a line that finds no room there is the last.
-  units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> replies;
+  units::EventBound<units::Event::byte_queued, most_bytes_said> replies;
   units::EventBound<units::Event::character_written, most_characters> characters;
   units::EventBound<units::Event::long_digit, most_long_digits> digits;
   units::EventBound<units::Event::handler_called, 1> handlers;
   units::EventBound<units::Event::refused, 1> refusals;
+  units::EventBound<units::Event::settled, 1> ends;
   active_.now = now;
   follow_position_jump();
   if (answer_query()) return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves, dwells, homing, and motors.
 #include "application/motion_commands.hpp"
+#include "units/event_bound.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -68,6 +69,7 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   const bool prints = request.target[extruder] != request.start[extruder];
   const motion::Limits& limits = motion_.limits();
   const auto acceleration = prints ? limits.print_acceleration : limits.travel_acceleration;
+  units::happens<units::Event::settled>(prints);
   arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
   arc_jumps_ = motion_.position_jumps();
   arc_fault_.reset();

@@ -2,6 +2,7 @@
 // Bytes from and to the host, in a pass of the loop.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "application/application.hpp"
@@ -9,10 +10,16 @@
 #include "units/loop_bound.hpp"
 
 namespace application {
+namespace {
+
+// An error and the request to send a line again, answers of two lines at most, that it is busy, and
+// that M112 has stopped it.
+constexpr std::uint32_t most_bytes_said = 320;
+
+}  // namespace
+
 void Application::exchange_bytes(const Now& now) {
-  // None leaves the queue meanwhile.
-  using Queue = host_link::TransmitQueue;
-  units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
+  units::EventBound<units::Event::byte_queued, most_bytes_said> replies;
   units::EventBound<units::Event::character_written, host_link::TextLine::capacity> characters;
   // Nor is one given up within the time of the bytes that have ended another.
   units::EventBound<units::Event::line_taken, 1> line;

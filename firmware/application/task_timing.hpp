@@ -36,10 +36,10 @@ inline constexpr unsigned shaped_slots = 3;
 
 // While motion goes on into lines that wait, a task begins only if what is in hand outlasts its
 // allowance (task_table.hpp) and this: until the next line is handed over, and what follows.
-inline constexpr std::int64_t refill_reserve = 32'000;
+inline constexpr std::int64_t refill_reserve = 26'000;
 // When the pass behind a refill gets to the task that waits, no more than this is missing of what
 // the refill is to have in hand: the time of a line that filled the queue, and of a pass.
-inline constexpr std::int64_t refill_margin = 31'000;
+inline constexpr std::int64_t refill_margin = 25'000;
 // Lines that the tasks of a round append at most: a chord or a move of homing, and a command's.
 inline constexpr std::int64_t lines_of_a_round = 2;
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "units/loop_bound.hpp"
 #include "units/quantity.hpp"
 
 namespace application {
@@ -19,6 +18,7 @@ class TickClock {
   // A tick is a millisecond, to within one clock: at 4 MHz and more off by less than 0.03 %.
   explicit constexpr TickClock(units::Hertz clock)
       : clocks_per_tick_(clock.count() / 1000),
+        ticks_per_clock_(static_cast<std::uint32_t>(word / clocks_per_tick_)),
         // Rounded up: the first clock of a microsecond is in it, and the last of a tick below 1000.
         microseconds_per_clock_(
             static_cast<std::uint32_t>((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_)),
@@ -27,19 +27,11 @@ class TickClock {
   }
 
   Now update(units::Cycles clocks) {
-    // Of more a division finds the number.
-    constexpr std::uint32_t most_ticks = 32;
-    units::LoopBound<most_ticks + 1> begun;
-    for (std::uint32_t i = 0; clocks >= next_tick(); ++i) {
-      begun.next();
-      if (i == most_ticks) {
-        const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
-        tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
-        count(ticks);
-        break;
-      }
-      tick_begin_ += units::Cycles(clocks_per_tick_);
-      count(1);
+    const auto passed = static_cast<std::uint64_t>((clocks - tick_begin_).count());
+    if (passed >= word) {
+      count(static_cast<std::int64_t>(passed) / clocks_per_tick_);
+    } else if (const std::uint32_t ticks = ticks_in(static_cast<std::uint32_t>(passed)); ticks) {
+      count(ticks);
     }
     const auto into_tick = static_cast<std::uint32_t>((clocks - tick_begin_).count());
     const std::uint64_t part = std::uint64_t{into_tick} * microseconds_per_clock_ / word;
@@ -52,8 +44,10 @@ class TickClock {
     return tick_begin_ + units::Cycles(std::int64_t{clocks_per_tick_} * ticks);
   }
   // Whole ticks in so many clocks.
-  std::int32_t ticks_in(std::uint32_t clocks) const {
-    return static_cast<std::int32_t>(clocks / clocks_per_tick_);
+  std::uint32_t ticks_in(std::uint32_t clocks) const {
+    // Of the number rounded down, or one less.
+    const auto ticks = static_cast<std::uint32_t>(std::uint64_t{clocks} * ticks_per_clock_ / word);
+    return ticks + (clocks - ticks * clocks_per_tick_ >= clocks_per_tick_ ? 1 : 0);
   }
   // Of a time below an hour, rounded down. The lower half of the number, as of all clocks.
   std::uint32_t clocks_in(std::uint32_t microseconds) const {
@@ -66,12 +60,13 @@ class TickClock {
   static constexpr unsigned fraction_bits = 20;
 
   void count(std::int64_t ticks) {
+    tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
     milliseconds_ += units::Milliseconds(ticks);
     microseconds_ += units::Microseconds(ticks * 1000);
   }
 
   std::uint32_t clocks_per_tick_;  // below 2^22
-  std::uint32_t microseconds_per_clock_;  // of 2^32
+  std::uint32_t ticks_per_clock_, microseconds_per_clock_;  // of 2^32
   std::uint32_t clocks_per_microsecond_;  // with `fraction_bits` fractional bits
   units::Cycles tick_begin_{};
   units::Microseconds microseconds_{};  // at the tick's beginning

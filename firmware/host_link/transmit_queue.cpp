@@ -10,7 +10,13 @@
 namespace host_link {
 namespace {
 
-constexpr bool is_printable(unsigned char c) { return unsigned{c} - ' ' <= '~' - ' '; }
+// What is not printable becomes '?'. Without a branch, since any byte must take as long.
+constexpr unsigned printable(unsigned c) {
+  const unsigned other = c - ' ' > '~' - ' ' ? 1 : 0;
+  return c ^ ((c ^ '?') & (0 - other));
+}
+static_assert(printable(' ') == ' ' && printable('~') == '~');
+static_assert(printable('\x1f') == '?' && printable('\x7f') == '?' && printable(0xff) == '?');
 
 }  // namespace
 
@@ -35,7 +41,7 @@ bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std:
       characters.next();
       const auto c = static_cast<unsigned char>(*from++);
       units::happens<units::Event::byte_queued>(reinterpret_cast<std::uintptr_t>(from));
-      bytes_[at++ % capacity] = is_printable(c) ? static_cast<char>(c) : '?';
+      bytes_[at++ % capacity] = static_cast<char>(printable(c));
     } while (from != end);
   }
   bytes_[at % capacity] = '\n';

@@ -135,6 +135,7 @@ Stock Planner::stock(units::Microseconds now) const {
 // case before one is handed over whose end a fresh line may still make faster.
 void Planner::look_ahead() {
   units::happens<units::Event::looked_ahead>(count_);
+  units::happens<units::Event::settled>(count_);
   std::size_t changed = count_ - 1;
   Line* here = &line(changed);
   SpecificEnergy exit{};

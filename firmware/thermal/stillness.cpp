@@ -110,28 +110,21 @@ std::int64_t product(ConstValues one, ConstValues other) {
 }
 std::int64_t energy(ConstValues values) { return product(values, values); }
 
-// Of `one` less `percent` of the other.
-std::int64_t energy_less(ConstValues one, ConstValues other, std::int32_t percent) {
-  std::int64_t sum = 0;
-  CourseBound<5> bound;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    bound.next();
-    const std::int64_t difference = one[i] - other[i] * percent / 100;
-    sum += difference * difference;
-  }
-  return sum;
+// The least of the energies of a course, of it less half of another one, and less all of that.
+std::int64_t least_energy(std::int64_t energy, std::int64_t with_other, std::int64_t of_other) {
+  return std::min({energy, energy - with_other + of_other / 4, energy - 2 * with_other + of_other});
 }
 
-// The energy that a course has in common with `answer` and its slope.
-std::int64_t energy_in_common(ConstValues course, ConstValues answer, Values slope) {
+// The energy that a course has in common with `answer`, whose own is `expected`, and its slope.
+std::int64_t energy_in_common(ConstValues course, ConstValues answer, std::int64_t expected,
+                              Values slope) {
   const std::size_t last = answer.size() - 1;
-  CourseBound<6> bound;
+  CourseBound<5> bound;
   for (std::size_t i = 0; i <= last; ++i) {
     bound.next();
     slope[i] = answer[std::min(i + 1, last)] - answer[i == 0 ? 0 : i - 1];
   }
   subtract_line(slope);
-  const std::int64_t expected = energy(answer);
   const std::int64_t course_answer = product(course, answer);
   const std::int64_t slope_answer = product(slope, answer);
   std::int64_t common = course_answer * course_answer / expected;
@@ -156,14 +149,14 @@ bool is_within(std::int64_t part, std::int64_t whole, std::int32_t percent) {
 template <class Gain>
 void accumulate(Values course, Gain gain) {
   std::int32_t mean = 0;
-  CourseBound<7> summed;
+  CourseBound<6> summed;
   for (std::size_t i = 0; i < course.size(); ++i) {
     summed.next();
     mean += gain(i);
   }
   mean /= static_cast<std::int32_t>(course.size());
   course[0] = 0;
-  CourseBound<8> changed;
+  CourseBound<7> changed;
   for (std::size_t i = 1; i < course.size(); ++i) {
     changed.next();
     course[i] = course[i - 1] + (gain(i - 1) + gain(i)) / 2 - mean;
@@ -208,9 +201,9 @@ bool Stillness::is_still_for_now() const {
 bool Stillness::is_still(const Limits& limits) const {
   const std::size_t length = limits.length;
   if (seen_ < length || undisturbed_ < length) return false;
-  Course courses{}, answers{};
+  Course courses, answers;  // set below as far as they are used
   const Values course = Values(courses).first(length), answer = Values(answers).first(length);
-  CourseBound<9> bound;
+  CourseBound<8> bound;
   for (std::size_t i = 0; i < length; ++i) {
     bound.next();
     course[i] = window(length, i).celsius - window(length, 0).celsius;
@@ -221,15 +214,16 @@ bool Stillness::is_still(const Limits& limits) const {
   subtract_mean(course);
   subtract_line(answer);
   // Mostly it lives, and that is all.
-  if (!is_within(energy(course), energy(answer), limits.with_rhythm + limits.rest)) return false;
-  return is_still(limits, course, answer);
+  const Energies energies{.course = energy(course), .answer = energy(answer)};
+  if (!is_within(energies.course, energies.answer, limits.with_rhythm + limits.rest)) return false;
+  return is_still(limits, course, answer, energies);
 }
 
 // Of ten conversions the mean without the outermost two has a variance of 1/76 of their spread's
 // square; smoothed, a third of it.
 std::int64_t Stillness::noise(std::size_t length) const {
   std::int64_t squares = 0;
-  CourseBound<10> bound;
+  CourseBound<9> bound;
   for (std::size_t i = 0; i < length; ++i) {
     bound.next();
     const std::int64_t spread = window(length, i).spread;
@@ -238,19 +232,19 @@ std::int64_t Stillness::noise(std::size_t length) const {
   return squares / (is_slow_ ? 228 : 76);
 }
 
-bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues answer) const {
+bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues answer,
+                         const Energies& energies) const {
   const std::size_t length = limits.length;
-  Course given_course{}, taken_course{};
+  Course given_course, taken_course;
   const Values given = Values(given_course).first(length);
   const Values taken = Values(taken_course).first(length);
   accumulate(given, [this, length](std::size_t i) { return window(length, i).given; });
   accumulate(taken, [this, length](std::size_t i) { return window(length, i).taken; });
-  std::int64_t expected = energy(answer);
-  if (energy(taken) > expected) return false;
-  for (const std::int32_t percent : {0, 50, 100}) {
-    expected = std::min(
-        {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
-  }
+  const std::int64_t lost = energy(taken);
+  if (lost > energies.answer) return false;
+  const std::int64_t expected =
+      std::min(least_energy(energies.answer, product(answer, taken), lost),
+               least_energy(energy(given), product(given, taken), lost));
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
   const std::int64_t noisy = noise(length);
   // A reading whose noise alone exceeds what the rest may be is within it by chance only: it is
@@ -258,9 +252,9 @@ bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues a
   if (!is_within(noisy * 9 / 20, expected, limits.rest)) return false;
   // Two of `length` dimensions of the noise go with the rhythm. Of the others, which are estimated
   // from few conversions, two thirds are taken off.
-  const std::int64_t common = energy_in_common(course, answer, given);
+  const std::int64_t common = energy_in_common(course, answer, energies.answer, given);
   const std::int64_t with_rhythm = common - 2 * noisy / static_cast<std::int64_t>(length);
-  const std::int64_t rest = energy(course) - common - noisy * 2 / 3;
+  const std::int64_t rest = energies.course - common - noisy * 2 / 3;
   return is_within(with_rhythm, expected, limits.with_rhythm) &&
          is_within(rest, expected, limits.rest);
 }

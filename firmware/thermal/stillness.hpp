@@ -66,7 +66,11 @@ class Stillness {
   const LimitTable& limits() const { return is_slow_ ? slow : quick; }
   bool is_still(const Limits& limits) const;
   std::int64_t noise(std::size_t length) const;  // estimated energy in the last windows
-  bool is_still(const Limits& limits, ConstValues course, ConstValues answer) const;
+  struct Energies {
+    std::int64_t course, answer;
+  };
+  bool is_still(const Limits& limits, ConstValues course, ConstValues answer,
+                const Energies& energies) const;
   bool is_still_for_now() const;
 
   bool is_slow_;

@@ -28,6 +28,8 @@ enum class Event : std::uint32_t {
   looked_ahead,  // over the planner's lines
   line_begun,  // by the planner, for the step generator
   segment_made,  // likewise
+  settled,  // a command: refused, or its line planned
+  long_work,  // of which a pass does one: a command, heat, a report, a fault
   count
 };
 

@@ -91,7 +91,7 @@ TEST(wake, lines_that_came_together_are_done_without_sleep) {
 TEST(wake, the_beginning_of_a_line_wakes_nothing) {
   Loop loop;
   loop.live("G1 X1", 0.08);
-  EXPECT_LE(loop.passes, 11u);
+  EXPECT_LE(loop.passes, 13u);  // heat ends two passes
   loop.live("0\n", 0.1, byte_clocks_250k, true);
   EXPECT_EQ(loop.take_replies(), "ok\n");
 }
@@ -127,7 +127,7 @@ TEST(wake, a_flood_without_a_line_end_is_read_before_it_fills_the_fifo) {
 TEST(wake, the_processor_sleeps_where_there_is_nothing_to_do) {
   Loop loop;
   loop.live({}, 1.0);
-  EXPECT_LE(loop.passes, 126u);
+  EXPECT_LE(loop.passes, 146u);  // 20 of them behind heat
   // Held with a full planner: the move in hand waits for room that is not made.
   std::string lines = "G92 X0\n";
   for (int i = 1; i < more_lines_than_fit; ++i) lines += "G1 X" + std::to_string(i) + " F600\n";

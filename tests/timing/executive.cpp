@@ -49,7 +49,7 @@ Executive::Executive(const Facts& facts, const Load& load, Rate rate, Choice cho
 Run Executive::rounds(std::size_t number, bool sleeps) {
   for (std::size_t passes = 0; passes < 10'000 && rounds_ < number; ++passes) {
     pass();
-    if (sleeps && !put_off_) sleep();
+    if (sleeps && !goes_on_) sleep();
   }
   return run_;
 }
@@ -58,7 +58,7 @@ Executive::Feeds Executive::feeds(std::size_t passes) {
   heat_.is_timed = true;
   for (; passes > 0; --passes) {
     pass();
-    if (!put_off_) sleep();
+    if (!goes_on_) sleep();
   }
   Feeds feeds{.shortest = ~Clocks{0}};
   for (std::size_t i = 0; i + 1 < heat_.second_keys.size(); ++i) {
@@ -73,7 +73,7 @@ void Executive::pass() {
   time_ += choice_(*load_.start);
   run(static_cast<std::size_t>(Task::motion));
   gap(Task::motion);
-  put_off_ = collecting_;
+  put_off_ = goes_on_ = collecting_;
   work();
   refill();
   gap(Task::refill);
@@ -100,9 +100,16 @@ void Executive::work() {
       waiting_ += more;
       appended_ += more;
     }
+    const bool said = static_cast<Task>(task) == Task::reports && choice_(1) == 1;
+    if (task == heat || said) {
+      next_ = task + 1;
+      goes_on_ = true;
+      return;
+    }
   }
   if (put_off_) ++run_.put_off;
-  if (put_off_) return;
+  goes_on_ = put_off_;
+  if (goes_on_) return;
   next_ = 0;
   appended_ = 0;
   ++rounds_;

@@ -87,7 +87,8 @@ class Executive {
   Clocks full_until_{};
   // The round.
   std::size_t next_{};
-  bool put_off_{};
+  bool put_off_{};  // a task must wait
+  bool goes_on_{};  // the next pass goes on with the round
   std::size_t rounds_{};
   Heat heat_;
   Run run_;

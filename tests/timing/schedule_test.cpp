@@ -252,13 +252,12 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   load.tasks[index_of(Task::rest)] = 200;
   // Both tasks may have to wait: 3500 clocks are in hand then, of which the first leaves 2490.
   EXPECT_EQ(waits_in(1, facts, load), 2u);
-  // Two tasks with their gaps; 6 lines, 3 in each of 3 passes at most, which take 1500 clocks each,
-  // and one that is full.
-  EXPECT_EQ(time_of_rounds(1, facts, load), 4'020u + 3 * 1'500 + 1'500);
+  // Two tasks with their gaps; 5 passes that take 400 clocks each, 6 lines, and two full passes.
+  EXPECT_EQ(time_of_rounds(1, facts, load), 4'020u + 5 * 400 + 6 * 500 + 2 * 1'500);
   const auto worst = [&](Requirement requirement) {
     return *respond(requirement, facts, load, {4'000'000, 1'000'000}).worst;
   };
-  EXPECT_EQ(worst(Requirement::emergency_stop), 10'020u);
+  EXPECT_EQ(worst(Requirement::emergency_stop), 12'020u);
   EXPECT_EQ(worst(Requirement::allowances), 3'000u);
   // 3 us, a gap, a pass, and two lines behind one another, of which the first lasts 400 clocks.
   EXPECT_EQ(worst(Requirement::reserve), 12u + 10 + 300 + (100 + 1'000) - 400);
@@ -269,7 +268,7 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   // Sleep: 8 ms.
   EXPECT_EQ(worst(Requirement::motion_watchdog), 6'000u + 32'000 + 10 + 60 + 1);
   // 101 ms, twice a round and a sleep, and a pass.
-  EXPECT_EQ(worst(Requirement::heater_watchdog), 404'000u + 2 * (10'020 + 32'000) + 6'000 + 1);
+  EXPECT_EQ(worst(Requirement::heater_watchdog), 404'000u + 2 * (12'020 + 32'000) + 6'000 + 1);
   EXPECT_EQ(worst(Requirement::received_bytes), 9u * 130);
 }
 

@@ -10,6 +10,7 @@
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/task_times.hpp"
+#include "tools/worst_inputs/hard_inputs.hpp"
 #include "tools/worst_inputs/search.hpp"
 
 namespace command {
@@ -24,12 +25,14 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   for (const auto& gap : load.gaps) {
     found.between_tasks = std::max(found.between_tasks, gap.value_or(0));
   }
-  found.rows.erase(found.rows.begin());  // the pass
+  // The pass is the last one, as in what is measured.
+  std::ranges::rotate(found.rows, found.rows.begin() + 1);
   const sim::ElfImage firmware = sim::read_elf(build_folder() / "firmware" / "firmware.elf");
   const machine::Description description = description_of({});
   worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
   worst_inputs::Search search(
-      seed, [&](const worst_inputs::SerialInput& input) { return rig.measure(input); });
+      seed, [&](const worst_inputs::SerialInput& input) { return rig.measure(input); },
+      worst_inputs::hard_inputs());
   while (search.inputs() < inputs) {
     search.step();
     end_if_interrupted();

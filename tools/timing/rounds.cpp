@@ -55,15 +55,16 @@ std::uint64_t waits_in(std::uint64_t rounds, const Facts& facts, const Load& loa
         in_hand = reached;
       }
       pass_time(bound_of(load, task) + gap_of(load, task));
+      if (application::ends_pass(task)) pass_time(overhead(load) + bound_of(load, Task::refill));
     }
-    pass_time(overhead(load) + bound_of(load, Task::refill));
   }
   return waits;
 }
 
 std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts, const Load& load) {
   const std::uint64_t waits = waits_in(rounds, facts, load);
-  return (lines_in(rounds, facts) + rounds + waits) / facts.lines_of_a_refill + waits;
+  const std::uint64_t others = rounds * application::passes_of_a_round + waits;
+  return (lines_in(rounds, facts) + others) / facts.lines_of_a_refill + waits;
 }
 
 Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load) {
@@ -74,14 +75,15 @@ Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load
   const std::uint64_t most = facts.lines_of_a_refill;
   const Clocks full = overhead(load) + bound_of(load, Task::refill);
   const std::uint64_t lines = lines_in(rounds, facts);
-  const std::uint64_t others = rounds + waits_in(rounds, facts, load);
+  const std::uint64_t others =
+      rounds * application::passes_of_a_round + waits_in(rounds, facts, load);
   Clocks longest = 0;
-  for (std::uint64_t each = 0; each <= most; ++each) {
-    const std::uint64_t in_others = std::min(lines, others * each);
-    const Clocks other =
-        std::min(overhead(load) + *load.refill_without_line + each * *load.line, full);
-    longest =
-        std::max(longest, others * other + (lines - in_others + others + most - 1) / most * full);
+  for (std::uint64_t in_others = 0; in_others <= lines; ++in_others) {
+    const Clocks of_others =
+        std::min(others * (overhead(load) + *load.refill_without_line) + in_others * *load.line,
+                 others * full);
+    const std::uint64_t full_ones = (lines - in_others + others + most - 1) / most;
+    longest = std::max(longest, of_others + full_ones * full);
   }
   return rounds * work + longest;
 }

@@ -20,11 +20,11 @@
 // it meanwhile. All others are behind a whole round, or the last before their task begins: these
 // are no more than with tasks that begin with just what a refill makes sure of, and take their
 // bounds. In n rounds, with the bounds of tasks B, the gaps behind them g, the overhead of a pass
-// O, a refill R, one without a line r, one of k lines r + k l, or R if that is less,
+// O, a refill R, one without a line r, each line l,
 //
-//   lines <= ring + n appended,  others <= n + waits of n rounds,
-//   T(n) = n (sum of B + g) + the greatest, for k lines in each of the others, of
-//          others (O + refill of k) + (lines - k others + others) / most lines (O + R),
+//   lines <= ring + n appended,  others <= n passes of a round + waits of n rounds,
+//   T(n) = n (sum of B + g) + the greatest, for k lines in all of the others, of
+//          others (O + r) + k l, or others (O + R), + (lines - k + others) / most lines (O + R),
 //
 // where a line that has filled the queue in one of the others is finished in a full one.
 //

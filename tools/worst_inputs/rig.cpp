@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/worst_inputs/rig.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 
@@ -12,8 +14,16 @@ namespace {
 
 using application::Statistics;
 
-constexpr std::uint32_t first_time = offsetof(Statistics, tasks) / 4;
-constexpr std::uint32_t words_of_a_task = sizeof(application::TaskTimes) / 4;
+// The words of the statistics that hold the longest times.
+constexpr std::array<std::uint32_t, pass_place + 1> words = [] {
+  std::array<std::uint32_t, pass_place + 1> places{};
+  for (std::uint32_t task = 0; task < units::task_count; ++task) {
+    const std::size_t place = offsetof(Statistics, tasks) + task * sizeof(application::TaskTimes);
+    places[task] = static_cast<std::uint32_t>(place / 4);
+  }
+  places[pass_place] = offsetof(Statistics, longest_pass_clocks) / 4;
+  return places;
+}();
 constexpr double hotend_c = 200, bed_c = 60;
 constexpr double boot_s = 0.4;
 // Lines are done before that, unless one waits for heat, time, an end stop or the user.
@@ -77,18 +87,14 @@ void Rig::reset() {
 }
 
 Slices Rig::measure(const SerialInput& input) {
-  for (std::uint32_t task = 0; task < units::task_count; ++task) {
-    chip_.write_memory(statistics_ + 4 * (first_time + task * words_of_a_task), 0);
-  }
+  for (const std::uint32_t word : words) chip_.write_memory(statistics_ + 4 * word, 0);
   for (const Piece& piece : input) {
     run_for(1e-6 * piece.pause_us);
     printer_.serial_line().send(simulation_.now(), piece.bytes);
   }
   const bool settled = settle();
   Slices slices;
-  for (std::uint32_t task = 0; task < units::task_count; ++task) {
-    slices[task] = word(first_time + task * words_of_a_task);
-  }
+  std::ranges::transform(words, slices.begin(), [this](std::uint32_t place) { return word(place); });
   if (!settled || word(offsetof(Statistics, halted) / 4) != 0) reset();
   return slices;
 }

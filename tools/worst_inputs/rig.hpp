@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/machine/printer.hpp"
@@ -13,8 +14,9 @@
 
 namespace worst_inputs {
 
-// In clocks, by task.
-using Slices = std::array<std::uint32_t, units::task_count>;
+// In clocks: each task's longest, and behind them that of the pass.
+inline constexpr std::size_t pass_place = units::task_count;
+using Slices = std::array<std::uint32_t, units::task_count + 1>;
 
 class Rig {
  public:

@@ -14,6 +14,7 @@ constexpr std::size_t new_in = 8, crossed_in = 5;
 }  // namespace
 
 SerialInput Search::child() {
+  if (inputs_ < first_.size()) return first_[inputs_];
   const auto& pool = pools_[breeder_.below(pools_.size())];
   if (pool.empty() || breeder_.one_in(new_in)) return breeder_.random();
   // The better half twice as often.

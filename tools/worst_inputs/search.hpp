@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tools/worst_inputs/breeder.hpp"
 #include "tools/worst_inputs/rig.hpp"
@@ -20,14 +23,16 @@ class Search {
  public:
   using Measure = std::function<Slices(const SerialInput&)>;
 
-  Search(std::uint64_t seed, Measure measure) : breeder_(seed), measure_(std::move(measure)) {}
+  // The first inputs are those given, in their order.
+  Search(std::uint64_t seed, Measure measure, std::vector<SerialInput> first = {})
+      : breeder_(seed), measure_(std::move(measure)), first_(std::move(first)) {}
 
   // One more input.
   void step();
 
   std::uint64_t inputs() const { return inputs_; }
-  // The worst one of a task; empty before the first step.
-  const Found& worst(std::size_t task) const { return pools_.at(task).front(); }
+  // The worst one of a task, or of the pass; empty before the first step.
+  const Found& worst(std::size_t place) const { return pools_.at(place).front(); }
 
  private:
   SerialInput child();
@@ -35,9 +40,10 @@ class Search {
 
   Breeder breeder_;
   Measure measure_;
+  std::vector<SerialInput> first_;
   std::uint64_t inputs_ = 0;
-  // The worst of each task, the longest first.
-  std::array<std::vector<Found>, units::task_count> pools_;
+  // The worst of each task and of the pass, the longest first.
+  std::array<std::vector<Found>, std::tuple_size_v<Slices>> pools_;
 };
 
 }  // namespace worst_inputs
