@@ -99,8 +99,12 @@ void subtract_line(Values values) {
   subtract_slope(values, sum / 16, squares / 16);
 }
 
+// Of courses from their means, or less their lines too, which makes an energy smaller: 31 bits hold
+// the energy of one that is `farthest` throughout, and so each product.
+static_assert(std::int64_t{farthest} * farthest * Stillness::longest <
+              std::numeric_limits<std::int32_t>::max() / 2);
 std::int64_t product(ConstValues one, ConstValues other) {
-  std::int64_t sum = 0;
+  std::int32_t sum = 0;
   CourseBound<4> bound;
   for (std::size_t i = 0; i < one.size(); ++i) {
     bound.next();
@@ -155,11 +159,15 @@ void accumulate(Values course, Gain gain) {
     mean += gain(i);
   }
   mean /= static_cast<std::int32_t>(course.size());
+  std::int32_t before = gain(0), sum = 0;
   course[0] = 0;
   CourseBound<7> changed;
   for (std::size_t i = 1; i < course.size(); ++i) {
     changed.next();
-    course[i] = course[i - 1] + (gain(i - 1) + gain(i)) / 2 - mean;
+    const std::int32_t now = gain(i);
+    sum += (before + now) / 2 - mean;
+    course[i] = sum;
+    before = now;
   }
   subtract_line(course);
 }
