@@ -10,6 +10,7 @@ namespace application {
 
 using motion::BacklashSettings;
 using units::Nanometers;
+using std::literals::operator""sv;
 
 // What is taken up changes where the axes are, so they must be at rest.
 Progress SettingCommands::set_fitted_backlash(ActiveCommand& command) {
@@ -50,7 +51,8 @@ Progress SettingCommands::report_backlash(ActiveCommand& command) {
     host_link::TextLine line;
     switch (command.lines_said) {
       case 0:
-        line.text("Backlash Correction ").text(settings.correction == 0 ? "inactive:" : "active:");
+        line.text("Backlash Correction ")
+            .text(settings.correction == 0 ? "inactive:"sv : "active:"sv);
         break;
       case 1:
         line.text("  Correction Amount/Fade-out:     F").decimal(settings.correction, 6, 2);

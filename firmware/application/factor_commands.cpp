@@ -7,6 +7,8 @@
 namespace application {
 namespace {
 
+using std::literals::operator""sv;
+
 constexpr std::int32_t unchanged = 100;  // percent
 
 Stretch part_of(std::int32_t percent, std::int32_t whole) {
@@ -68,7 +70,7 @@ Progress FactorCommands::set_flow(ActiveCommand& command) {
 Progress FactorCommands::report_flow(ActiveCommand& command) {
   const std::size_t tool = command.asked_tool(coordinates_.tools()).value_or(0);
   const std::string_view name =
-      units::most_tools == 1 || tool == 0 ? "echo:E0 Flow: " : "echo:E1 Flow: ";
+      units::most_tools == 1 || tool == 0 ? "echo:E0 Flow: "sv : "echo:E1 Flow: "sv;
   return report(command, name, coordinates_.flow(tool));
 }
 

@@ -9,6 +9,7 @@ namespace application {
 using units::Axis;
 using units::index_of;
 using units::Nanometers;
+using std::literals::operator""sv;
 
 void FilamentCommands::attach(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
                               MotionCommands& moves, Coordinates& coordinates,
@@ -56,7 +57,7 @@ Progress FilamentCommands::execute(ActiveCommand& command) {
 Progress FilamentCommands::set_sensor(ActiveCommand& command) {
   const gcode::Command& line = command.command;
   if (!line.has_any(gcode::Command::set_of("RS"))) {
-    return command.say(watches_ ? "echo:Filament runout ON" : "echo:Filament runout OFF");
+    return command.say(watches_ ? "echo:Filament runout ON"sv : "echo:Filament runout OFF"sv);
   }
   reset();
   expected_ = false;

@@ -158,7 +158,9 @@ Progress LevellingCommands::set_offset(ActiveCommand& command) {
     return command.say(levelling_report(1, motion_.levelling(), coordinates_.inches()));
   }
   auto offset = motion_.levelling().probe.offset;
+  units::LoopBound<std::tuple_size_v<decltype(offset)>> axes;
   for (std::size_t i = 0; i < offset.size(); ++i) {
+    axes.next();
     const auto asked = coordinates_.rounded_length(line, units::axis_letters[i]);
     if (!asked) continue;
     const bool vertical = i == units::index_of(units::Axis::z);

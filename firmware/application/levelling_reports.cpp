@@ -8,6 +8,7 @@ namespace application {
 namespace {
 
 using units::Nanometers;
+using std::literals::operator""sv;
 
 void put(host_link::TextLine& line, char letter, Nanometers length, bool inches) {
   line.character(' ').character(letter);
@@ -48,7 +49,7 @@ host_link::TextLine mesh_line(std::size_t index, const motion::BedMesh& mesh) {
   for (std::size_t column = 0; column < mesh.points(0); ++column) {
     columns.next();
     if (titles) {
-      line.text(column < one_digit ? "      " : "     ");
+      line.text(column < one_digit ? "      "sv : "     "sv);
       line.integer(static_cast<std::int64_t>(column));
       continue;
     }

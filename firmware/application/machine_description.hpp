@@ -109,6 +109,12 @@ struct MachineDescription {
   [[no_unique_address]] std::conditional_t<units::most_tools == 1, NoSecondTool,
                                            std::optional<SecondTool>> second_tool{};
 
+  // Lines take a little longer to plan and to hand over (task_timing::least_line).
+  constexpr bool is_heavy() const {
+    const motion::kinematics::Chosen chosen(kinematics);
+    return tools() > 1 || (chosen.straight() && !chosen.identity());
+  }
+
   constexpr std::size_t tools() const { return second_tool.has_value() ? 2 : 1; }
 };
 

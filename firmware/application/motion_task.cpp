@@ -21,8 +21,8 @@ constexpr std::uint32_t end_stop_filter_ns = 2000;
 
 // The queue lasts as long (task_timing::lines_of_a_pass) with ramps of two segments: a line with
 // one has four, a line with two has five.
-static_assert(motion::SCurve::least_clocks * 3 >= 4 * task_timing::least_line_clocks);
-static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * task_timing::least_line_clocks);
+static_assert(motion::SCurve::least_clocks * 3 >= 4 * task_timing::least_line(false, true));
+static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * task_timing::least_line(false, true));
 
 // A motor that stops dead swings about its place: if it reversed at once, it might lose steps.
 constexpr units::Milliseconds ringing_time{50};
@@ -60,7 +60,7 @@ motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clo
   const auto time_of = [clock](std::int64_t clocks) {
     return units::Microseconds(clocks * 1'000'000 / clock.count() + 1);
   };
-  const std::int64_t least_line = task_timing::least_line(machine.fast);
+  const std::int64_t least_line = task_timing::least_line(machine.fast, machine.is_heavy());
   motion::StepTiming timing{.clock = clock,
                             .least_line_time = time_of(least_line),
                             .longest_pass = time_of(task_timing::lines_of_a_pass * least_line)};
@@ -158,8 +158,11 @@ void MotionTask::update(const Now& now) {
 void MotionTask::plan(const Now& now) {
   // All else waits for the next pass.
   if (settle_stop(now.milliseconds)) return;
-  if (!line_is_whole() && planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
-  if (homing_.active() || probing()) lead_homing(now.milliseconds);
+  if (!line_is_whole()) {
+    if (planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
+  } else if (homing_.active() || probing()) {
+    lead_homing(now.milliseconds);
+  }
   pace_.set_homing(homing_.active() || probing());
   if (plan_is_done() && step_generator_.idle()) pace_.note_rest();
 }

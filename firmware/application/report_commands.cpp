@@ -11,6 +11,8 @@
 namespace application {
 namespace {
 
+using std::literals::operator""sv;
+
 constexpr std::array<std::string_view, 3> end_stop_names{"x_min", "y_min", "z_min"};
 
 Progress set(units::Milliseconds& interval, const ActiveCommand& command) {
@@ -84,13 +86,13 @@ Progress ReportCommands::report_end_stops(ActiveCommand& command) {
   }
   const std::size_t first = end_stop_names.size() + 1;
   if (motion_.levels() && command.lines_said == first) {
-    const auto line = motion_.probe_triggered() ? "z_probe: TRIGGERED" : "z_probe: open";
+    const auto line = motion_.probe_triggered() ? "z_probe: TRIGGERED"sv : "z_probe: open"sv;
     if (command.say(line) == Progress::again) return Progress::again;
     ++command.lines_said;
   }
   if (!filament_in_image || machine_.filament_sensor == nullptr) return Progress::done;
   const bool is_out = (triggered >> machine_.filament_sensor->input & 1u) != 0;
-  return command.say(is_out ? "filament: TRIGGERED" : "filament: open");
+  return command.say(is_out ? "filament: TRIGGERED"sv : "filament: open"sv);
 }
 
 // "echo:Task overruns 1:0 2:0 3:1 ...": by their priority.

@@ -14,10 +14,17 @@ constexpr std::size_t shaped_axes = std::tuple_size_v<decltype(motion::ShapingSe
 
 constexpr char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+constexpr std::size_t longest_name =
+    std::ranges::max(motion::shaper_names, {}, &std::string_view::size).size();
+
 bool is_name(std::string_view text, std::string_view name) {
-  return text.size() == name.size() &&
-         std::equal(text.begin(), text.end(), name.begin(),
-                    [](char one, char other) { return small(one) == other; });
+  if (text.size() != name.size()) return false;
+  units::LoopBound<longest_name, 1> characters;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    characters.next();
+    if (small(text[i]) != name[i]) return false;
+  }
+  return true;
 }
 
 // Also RepRapFirmware's name of the two-hump EI.

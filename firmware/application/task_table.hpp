@@ -205,9 +205,9 @@ struct ScheduleFacts {
   std::uint64_t heater_tick_clocks = registers::heater_control::tick_cycles;
 };
 
-constexpr ScheduleFacts schedule_facts(bool is_fast) {
+constexpr ScheduleFacts schedule_facts(bool is_fast, bool is_heavy) {
   ScheduleFacts facts;
-  const auto least = static_cast<std::uint64_t>(task_timing::least_line(is_fast));
+  const auto least = static_cast<std::uint64_t>(task_timing::least_line(is_fast, is_heavy));
   const auto shortened = [&](std::uint64_t& clocks) {
     clocks = clocks * least / task_timing::least_line_clocks;
   };

@@ -25,8 +25,11 @@ inline constexpr std::size_t wake_level = bytes_of_a_look / 2;
 inline constexpr std::int64_t least_line_clocks = 16'000, fast_least_line_clocks = 9'600;
 inline constexpr std::int64_t lines_of_a_pass = 10;
 
-constexpr std::int64_t least_line(bool is_fast) {
-  return is_fast ? fast_least_line_clocks : least_line_clocks;
+// A sixteenth more for two extruders and for CoreXY, which plan and hand over a line in a little
+// more time: with it grow what is in hand, and what tasks may take of it.
+constexpr std::int64_t least_line(bool is_fast, bool is_heavy) {
+  const std::int64_t light = is_fast ? fast_least_line_clocks : least_line_clocks;
+  return is_heavy ? light + light / 16 : light;
 }
 
 // Lines that a pass hands over at most.

@@ -45,19 +45,18 @@ Progress ToolCommands::select(ActiveCommand& command) {
       change.moves = change.moves && !asked_to_stay;
       begin(command);
     }
-    units::LoopBound<static_cast<std::size_t>(Step::done) + 1> steps;
-    while (change.step != Step::done) {
-      steps.next();
+    if (change.step != Step::done) {
       // A stop voids what is left of it.
       if (motion().stopping()) return Progress::again;
-      if (motion().position_jumps() != change.jumps) {
-        note_stop();
-        break;
+      if (motion().position_jumps() == change.jumps) {
+        if (!motion().at_rest()) return Progress::again;
+        // One in each pass: they append lines.
+        const Step step = change.step;
+        change.step = static_cast<Step>(static_cast<std::uint8_t>(step) + 1);
+        if (carry_out(step, tool)) motion().flush();
+        return Progress::again;
       }
-      if (!motion().at_rest()) return Progress::again;
-      const Step step = change.step;
-      change.step = static_cast<Step>(static_cast<std::uint8_t>(step) + 1);
-      if (carry_out(step, tool)) motion().flush();
+      note_stop();
     }
     if (!motion().at_rest()) return Progress::again;
     return report_end(command, tool);
@@ -114,7 +113,9 @@ void ToolCommands::plan(std::size_t tool) {
   const Positions& here = motion().position();
   change.moves = true;
   change.target = here;
+  units::LoopBound<e> axes;
   for (std::size_t i = 0; i < e; ++i) {
+    axes.next();
     const Nanometers way = coordinates().tool_offset(i) - coordinates().tools().offset(tool)[i];
     change.target[i] += units::Position(way);
     change.moves = change.moves && motion().homed().contains(static_cast<Axis>(i));

@@ -28,6 +28,15 @@ units::Nanometers distance_between(const units::Position& from, const units::Pos
   return units::Nanometers(steps < 0 ? -1 : 1);
 }
 
+bool is_nowhere(const units::PerAxis<units::Nanometers>& distance) {
+  units::LoopBound<units::axis_count> axes;
+  for (const units::Nanometers& each : distance) {
+    axes.next();
+    if (each != units::Nanometers()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::expected<void, Fault> Planner::append(const LineMove& move, units::Microseconds now) {
@@ -50,7 +59,9 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   units::PerAxis<StepPosition> ends;
   units::AxisSet others;  // than where the last line ended
   bool moves = false;
+  units::LoopBound<units::axis_count, 1> motors_to_move;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    motors_to_move.next();
     if (!direct && !moves_motor(i, move.target)) {
       displacement.residual[i] = residual_[i] + residual_[i];
       if (kinematics_.identity()) continue;
@@ -74,11 +85,13 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   // Homing sets the position at its end; the place on its way is nothing to calculate.
   if (!direct) target_ = move.target;
   if (!moves) return {};
-  if (!kinematics_.identity() && displacement.distance == units::PerAxis<units::Nanometers>{}) {
+  if (!kinematics_.identity() && is_nowhere(displacement.distance)) {
     displacement.distance[0] = units::Nanometers(1);
   }
   append(displacement, move, now);
+  units::LoopBound<units::axis_count, 2> motors_moved;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    motors_moved.next();
     if (!others.contains(static_cast<units::Axis>(i))) continue;
     if (kinematics_.identity()) line_end_[i] = move.target[i];
     if (takes_up_backlash()) backlash_->turn(i, ends[i].steps - position_steps_[i]);
@@ -183,9 +196,10 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
   segment.rate = phase.rate;
   segment.acceleration = phase.acceleration;
   segment.stop_mask = stop_mask_;
-  if (s_curve_in_image && phase.apex != 0 && set_half(phase, segment)) return made;
-  ++next_phase_;
-  segment.ends_motion = resting_ && next_phase_ == profile_.count;
+  if (!s_curve_in_image || phase.apex == 0 || !set_half(phase, segment)) {
+    ++next_phase_;
+    segment.ends_motion = resting_ && next_phase_ == profile_.count;
+  }
   return made;
 }
 

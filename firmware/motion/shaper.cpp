@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "motion/scaled.hpp"
+#include "units/loop_bound.hpp"
 
 namespace motion {
 
@@ -38,7 +39,7 @@ Scaled damped_part(std::uint32_t damping) {
 struct Form {
   std::uint8_t count;
   std::uint8_t eighths;
-  std::array<std::uint32_t, 4> weights;
+  std::array<std::uint32_t, most_impulses> weights;
 };
 
 constexpr std::uint32_t tolerance = one / 20;  // V of EI and two-hump EI
@@ -73,7 +74,7 @@ Impulses impulses_of(const Shaper& shaper, units::Hertz clock) {
     interval = Scaled::of(std::uint64_t{clock.count()} * 125) * eighths /
                (Scaled::of(shaper.millihertz) * damped);
   }
-  std::array<std::uint32_t, 4> weights{};
+  std::array<std::uint32_t, most_impulses> weights{};
   std::uint64_t sum = 0;
   std::uint32_t decayed = one;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -85,7 +86,9 @@ Impulses impulses_of(const Shaper& shaper, units::Hertz clock) {
   result.count = form.count;
   std::int32_t left = weight_one;
   std::uint64_t mean = 0;
+  units::LoopBound<most_impulses> impulses;
   for (std::uint32_t i = form.count; i-- > 0;) {
+    impulses.next();
     Impulse& impulse = result.list[i];
     // The first one takes what rounding leaves.
     impulse.weight =

@@ -43,8 +43,9 @@ struct Impulse {
   std::uint32_t delay{};  // clocks
 };
 
+inline constexpr std::size_t most_impulses = 4;
 struct Impulses {
-  std::array<Impulse, 4> list{};
+  std::array<Impulse, most_impulses> list{};
   std::size_t count{};
   std::uint32_t mean{};  // clocks: the delay of a motion at constant speed
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace motion {
@@ -111,7 +112,9 @@ void Shaping::begin(const Segment& segment) {
 }
 
 Shaping::Progress Shaping::complete_slot(Planner& planner, units::Microseconds now, bool stocked) {
+  units::LoopBound<most_phases, 1> segments;  // of a line: it returns between lines
   for (;;) {
+    segments.next();
     if (!between_segments_) {
       const std::uint64_t left = timeline_.clocks() - elapsed_;
       if (left >= missing_) {

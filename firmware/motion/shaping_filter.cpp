@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/scaled.hpp"
+#include "units/loop_bound.hpp"
 
 namespace motion {
 
@@ -43,7 +44,9 @@ std::uint32_t slots_of(std::uint32_t clocks, int slot_bits) {
 
 void ShapingFilter::Taps::add(std::int32_t weight, std::uint32_t delay) {
   if (weight == 0) return;
+  units::LoopBound<most_taps> looked_at;
   for (std::size_t i = 0; i < count; ++i) {
+    looked_at.next();
     if (list[i].delay != delay) continue;
     list[i].weight += weight;
     return;
@@ -54,7 +57,9 @@ void ShapingFilter::Taps::add(std::int32_t weight, std::uint32_t delay) {
 ShapingFilter::Taps ShapingFilter::taps_of(const Impulses& impulses, std::uint32_t slots_late,
                                            int slot_bits) {
   Taps taps;
+  units::LoopBound<most_impulses> bound;
   for (std::size_t i = 0; i < impulses.count; ++i) {
+    bound.next();
     const Impulse& impulse = impulses.list[i];
     const std::uint64_t clocks =
         (std::uint64_t{slots_late} << slot_bits) + impulse.delay - impulses.mean;
@@ -62,7 +67,11 @@ ShapingFilter::Taps ShapingFilter::taps_of(const Impulses& impulses, std::uint32
     const std::uint64_t rest = clocks & ((std::uint64_t{1} << slot_bits) - 1);
     const auto part = static_cast<std::int32_t>(rest << weight_fraction_bits >> slot_bits);
     const auto weights = cubic(part, impulse.weight);
-    for (std::uint32_t k = 0; k < weights.size(); ++k) taps.add(weights[k], slot + k - 1);
+    units::LoopBound<taps_of_impulse, 1> added;
+    for (std::uint32_t k = 0; k < weights.size(); ++k) {
+      added.next();
+      taps.add(weights[k], slot + k - 1);
+    }
   }
   return taps;
 }
@@ -75,7 +84,9 @@ bool ShapingFilter::configure(const ShapingSettings& settings, units::Hertz cloc
           ? 0
           : std::max<std::uint32_t>(clock.count() / half_windows_per_second >> slot_bits, 1);
   std::uint32_t late = half_window;
+  units::LoopBound<shaped_axes> axes;
   for (std::size_t i = 0; i < impulses.size(); ++i) {
+    axes.next();
     const Shaper& shaper = settings.shapers[i];
     if (shaper.type != ShaperType::none && !fits(shaper, clock, slot_bits)) return false;
     impulses[i] = impulses_of(shaper, clock);
@@ -83,12 +94,18 @@ bool ShapingFilter::configure(const ShapingSettings& settings, units::Hertz cloc
     late = std::max(late, slots_of(impulses[i].mean, slot_bits) + 1);
   }
   std::uint32_t length = late + half_window;
+  units::LoopBound<shaped_axes, 1> lengths;
   for (const Impulses& axis : impulses) {
+    lengths.next();
     const std::uint32_t last = axis.list[axis.count - 1].delay - axis.mean;
     length = std::max(length, late + slots_of(last, slot_bits) + 1);
   }
   if (length >= capacity) return false;
-  for (std::size_t i = 0; i < taps_.size(); ++i) taps_[i] = taps_of(impulses[i], late, slot_bits);
+  units::LoopBound<shaped_axes, 2> filters;
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
+    filters.next();
+    taps_[i] = taps_of(impulses[i], late, slot_bits);
+  }
   slots_late_ = late;
   length_ = length;
   half_window_ = half_window;
@@ -108,11 +125,15 @@ units::PerAxis<std::int32_t> ShapingFilter::distance_from(
   };
   units::PerAxis<std::int32_t> result;
   const Sample& late = before(slots_late_);
+  units::LoopBound<units::axis_count, 1> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     std::int64_t sum = 0;
     if (i < taps_.size()) {
       const Taps& taps = taps_[i];
+      units::LoopBound<most_taps> added;
       for (std::size_t k = 0; k < taps.count; ++k) {
+        added.next();
         const Tap& tap = taps.list[k];
         sum += std::int64_t{tap.weight} *
                static_cast<std::int32_t>(before(tap.delay).position[i] - here[i]);

@@ -2,6 +2,7 @@
 // What shapers and linear advance make of planned positions that are known once in each slot.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,9 +48,15 @@ class ShapingFilter {
   // their frequency is the limit) or too slow for the samples.
   bool configure(const ShapingSettings& settings, units::Hertz clock, int slot_bits);
 
-  void push(const Sample& sample) { samples_[++newest_ % capacity] = sample; }
-  // All samples become this one.
-  void fill(const Sample& sample) { samples_.fill(sample); }
+  void push(const Sample& sample) {
+    samples_[++newest_ % capacity] = sample;
+    pushed_ = std::min(pushed_ + 1, capacity);
+  }
+  // All samples become this one, at once: a stop does not wait for that.
+  void fill(const Sample& sample) {
+    filled_with_ = sample;
+    pushed_ = 0;
+  }
 
   // How far each axis is to go from `here` (2^-8 step) to where it is to be, in steps, rounded.
   units::PerAxis<std::int32_t> distance_from(const units::PerAxis<FinePosition>& here) const;
@@ -65,22 +72,25 @@ class ShapingFilter {
     std::int32_t weight{};  // 2^-20
     std::uint32_t delay{};  // samples
   };
-  // Each impulse has four taps.
+  static constexpr std::size_t taps_of_impulse = 4, most_taps = most_impulses * taps_of_impulse;
   struct Taps {
-    std::array<Tap, 16> list{};
+    std::array<Tap, most_taps> list{};
     std::size_t count{};
 
     void add(std::int32_t weight, std::uint32_t delay);
   };
 
+  static constexpr std::size_t shaped_axes = 2;
   static Taps taps_of(const Impulses& impulses, std::uint32_t slots_late, int slot_bits);
   const Sample& before(std::uint32_t samples) const {
-    return samples_[(newest_ - samples) % capacity];
+    return samples < pushed_ ? samples_[(newest_ - samples) % capacity] : filled_with_;
   }
 
   std::array<Sample, capacity> samples_{};
+  Sample filled_with_{};  // before those that have been pushed
+  std::size_t pushed_{};
   std::uint32_t newest_{};
-  std::array<Taps, 2> taps_{};
+  std::array<Taps, shaped_axes> taps_{};
   std::uint32_t slots_late_{};
   std::uint32_t length_{};
   std::uint32_t half_window_{};  // slots on either side over which E's speed is taken

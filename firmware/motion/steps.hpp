@@ -2,12 +2,12 @@
 // Exact conversion between positions in nanometres and in motor steps.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <expected>
 
 #include "motion/fault.hpp"
 #include "units/axes.hpp"
+#include "units/loop_bound.hpp"
 #include "units/position.hpp"
 #include "units/quantity.hpp"
 
@@ -30,7 +30,12 @@ inline bool are_in_range(const units::PerAxis<units::Position>& positions) {
     largest |= static_cast<std::uint32_t>(upper ^ upper >> 31);
   }
   if (largest < sure) return true;
-  return std::ranges::all_of(positions, is_in_range);
+  units::LoopBound<units::axis_count> axes;
+  for (const units::Position& position : positions) {
+    axes.next();
+    if (!is_in_range(position)) return false;
+  }
+  return true;
 }
 
 // Parts of a step, 1 953 125 of which are one (10^9 / 2^9: what the division leaves).

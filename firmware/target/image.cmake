@@ -39,9 +39,9 @@ ExternalProject_Add(firmware_image
     machine_header_at_3000000)
 add_custom_target(firmware DEPENDS firmware_image)
 
-# Refuses a machine at whose clock (clock_mhz) the main loop misses a deadline. Off while tasks are without a bound, or have one
-# so high that the default machine would be refused.
-option(STEPFABRIC_CHECK_SCHEDULE "The firmware's build refuses a machine whose deadlines cannot be met" OFF)
+# Refuses a machine at whose clock (clock_mhz), or without it at any clock, the main loop misses a deadline, as far as that is
+# proved of such a machine (tools/timing/machine_schedule.cpp).
+option(STEPFABRIC_CHECK_SCHEDULE "The firmware's build refuses a machine whose deadlines cannot be met" ON)
 if(STEPFABRIC_CHECK_SCHEDULE)
   set(zbb_flag $<$<STREQUAL:${chip_has_zbb},true>:--zbb>)
   add_dependencies(firmware check_schedule)

@@ -5,13 +5,13 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/devices/file_host.hpp"
 #include "sim/processor/timing_table.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tests/loaded_printer.hpp"
+#include "tests/timing/cost_rows.hpp"
 #include "tools/timing/calls.hpp"
 #include "tools/timing/cost_sum.hpp"
 #include "tools/timing/stack.hpp"
@@ -26,24 +26,8 @@ constexpr sim::Clock most_clocks = 3 * clock_hz;
 // Instructions of all kinds are among those of this time.
 constexpr sim::Clock clocks_with_wrong_costs = clock_hz;
 
-// All but those that this firmware never executes.
-const std::vector<std::pair<const char*, unsigned Costs::*>> all_costs{
-    {"simple", &Costs::simple},
-    {"multiplication", &Costs::multiplication},
-    {"division", &Costs::division},
-    {"load", &Costs::load},
-    {"store", &Costs::store},
-    {"bus load", &Costs::bus_load},
-    {"bus store", &Costs::bus_store},
-    {"not taken", &Costs::not_taken},
-    {"taken", &Costs::taken},
-    {"predicted, not taken", &Costs::predicted_not_taken},
-    {"predicted, taken", &Costs::predicted_taken},
-    {"jump", &Costs::jump},
-    {"jump to a register", &Costs::jump_register},
-    {"CSR instruction", &Costs::csr},
-    {"wait for interrupt", &Costs::wait},
-    {"late result", &Costs::hazard}};
+const auto executed_costs =
+    cost_rows_without({&Costs::bit_manipulation, &Costs::fence_i, &Costs::trap_return});
 
 // Moves of all kinds, settings, reports and mistakes, with heat.
 const std::string gcode =
@@ -58,9 +42,9 @@ class Run {
     program_.memory_bytes = CHIP_MEMORY_BYTES;
     Analysis analysis(program_, costs_, CHIP_HAS_ZBB);
     watch_tasks(program_, analysis, calls_);
-    for (const auto& [name, cost] : all_costs) {
+    for (const CostRow& row : executed_costs) {
       Costs costs = costs_;
-      costs.*cost += 1;
+      costs.*row.cost += 1;
       wrong_sums_.emplace_back(program_, costs, CHIP_HAS_ZBB);
     }
     sim::VerilatedChip chip(clock_hz);
@@ -119,7 +103,7 @@ class Run {
   Program program_;
   Calls calls_;
   CostSum sum_{program_, costs_, CHIP_HAS_ZBB};
-  std::vector<CostSum> wrong_sums_;  // as `all_costs`
+  std::vector<CostSum> wrong_sums_;  // as `executed_costs`
   std::uint32_t stack_bytes_ = 0;
 };
 
@@ -148,9 +132,10 @@ TEST(CostSum, is_what_mcycle_counts) {
 }
 
 TEST(CostSum, finds_each_wrong_cost) {
-  for (std::size_t i = 0; i < all_costs.size(); ++i) {
-    EXPECT_GT(run().wrong_sums_[i].differences(), 0U) << all_costs[i].first;
-    EXPECT_GT(run().wrong_sums_[i].costs(), run().wrong_sums_[i].clocks()) << all_costs[i].first;
+  for (std::size_t i = 0; i < executed_costs.size(); ++i) {
+    EXPECT_GT(run().wrong_sums_[i].differences(), 0U) << executed_costs[i].name;
+    EXPECT_GT(run().wrong_sums_[i].costs(), run().wrong_sums_[i].clocks())
+        << executed_costs[i].name;
   }
 }
 
@@ -165,19 +150,15 @@ TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {
 
 // By how long calls take. Those of a division and of a branch predicted and taken are not among
 // them: no call in this run comes so near to its bound by these that a clock less would show, nor
-// by accesses to addresses on the bus that are known. bound_test tries them all.
+// by accesses to addresses on the bus that are known. seeded_faults_test tries them all.
 TEST(Calls, a_wrong_cost_is_found) {
-  const std::vector<std::pair<const char*, unsigned Costs::*>> rows{
-      {"simple", &Costs::simple},       {"multiplication", &Costs::multiplication},
-      {"load", &Costs::load},           {"store", &Costs::store},
-      {"bus load", &Costs::bus_load},   {"bus store", &Costs::bus_store},
-      {"not taken", &Costs::not_taken}, {"taken", &Costs::taken},
-      {"jump", &Costs::jump},           {"jump to a register", &Costs::jump_register},
-      {"late result", &Costs::hazard}};
-  for (const auto& [name, row] : rows) {
+  for (const CostRow& row :
+       cost_rows_without({&Costs::bit_manipulation, &Costs::division, &Costs::predicted_not_taken,
+                          &Costs::predicted_taken, &Costs::fence_i, &Costs::csr,
+                          &Costs::trap_return, &Costs::wait})) {
     Costs costs = run().costs_;
-    costs.*row -= 1;
-    EXPECT_NE(run().compare(run().program_, costs).too_long, "") << name;
+    costs.*row.cost -= 1;
+    EXPECT_NE(run().compare(run().program_, costs).too_long, "") << row.name;
   }
 }
 

@@ -16,7 +16,7 @@ const Schedule& schedule() {
     Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
     program.memory_bytes = CHIP_MEMORY_BYTES;
     return schedule_of(program, Costs{processor::TimingTable()}, CHIP_HAS_ZBB,
-                       application::schedule_facts(false));
+                       application::schedule_facts(false, false));
   }();
   return once;
 }

@@ -16,10 +16,12 @@
 #include "machine_generator/description.hpp"
 #include "machine_generator/header.hpp"
 #include "machine_generator/kinematics_description.hpp"
+#include "sim/processor/timing_table.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_file.hpp"
 #include "tools/process/process.hpp"
+#include "tools/timing/machine_schedule.hpp"
 #include "tools/timing/stack.hpp"
 
 namespace command {
@@ -70,6 +72,23 @@ std::int64_t missing_bytes(const std::filesystem::path& image,
   // The linker wants so much of any image.
   const std::int64_t least = program.addresses.at("least_stack_bytes");
   return std::max<std::int64_t>(*needed, least) - left;
+}
+
+// Throws std::runtime_error where the main loop misses a deadline at the clock of its description.
+void check_schedule(const std::filesystem::path& image, const std::filesystem::path& description,
+                    const machine_generator::Machine& machine) {
+  if (!machine.clock_hz) return;
+  timing::Program program = timing::read_program(image);
+  program.memory_bytes =
+      std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES);
+  const auto schedule = timing::schedule_of(
+      program, timing::Costs{processor::TimingTable()}, CHIP_HAS_ZBB,
+      application::schedule_facts(machine.description.fast, machine.description.is_heavy()));
+  const timing::Rate rate{*machine.clock_hz, machine.description.baud};
+  const std::string refusal = timing::refusal_of(schedule, machine.whole(), rate);
+  if (refusal.empty()) return;
+  throw std::runtime_error(fmt::format("{}: not schedulable at {} Hz and {} baud:\n{}",
+                                       description.string(), rate.clock_hz, rate.baud, refusal));
 }
 
 // As tools/machine_generator has it.
@@ -137,7 +156,10 @@ class OtherMachine {
       refuse_memory(description, most_bytes + missing_bytes(file_, description), memory_bytes_);
     }
     const std::int64_t missing = missing_bytes(file_, description);
-    if (missing <= 0) return;
+    if (missing <= 0) {
+      if (stepping == "hardware") check_schedule(file_, description, machine);
+      return;
+    }
     // Of software stepping the memory is what the comparison has.
     if (stepping == "software") {
       throw std::runtime_error(

@@ -85,8 +85,8 @@ int search(const timing::Program& program, const timing::Costs& costs,
 
 int schedule_of(const timing::Program& program, const timing::Costs& costs, bool json) {
   const auto& machine = machine::machine;
-  const auto schedule =
-      timing::schedule_of(program, costs, CHIP_HAS_ZBB, application::schedule_facts(machine.fast));
+  const auto facts = application::schedule_facts(machine.fast, machine.is_heavy());
+  const auto schedule = timing::schedule_of(program, costs, CHIP_HAS_ZBB, facts);
   say("{}", json ? timing::to_json(schedule) : timing::to_text(schedule));
   return timing::is_schedulable(schedule) ? success : failure;
 }

@@ -3,6 +3,7 @@
 #include "motion/kinematics/delta_settings.hpp"
 
 #include "motion/rotation.hpp"
+#include "units/loop_bound.hpp"
 
 namespace motion::kinematics {
 
@@ -26,7 +27,9 @@ bool within(Nanometers value, Nanometers least, Nanometers most) {
 void place_towers(Delta::Parameters& delta) {
   constexpr std::int64_t turn = 360 * millionths;
   constexpr int bits = 30;  // of cosine and sine
+  units::LoopBound<spatial_axes> towers;
   for (std::size_t i = 0; i < spatial_axes; ++i) {
+    towers.next();
     const std::int64_t direction = degrees[i] * millionths + delta.angle_trim[i];
     const Rotation rotation = rotation_by(static_cast<Angle>((direction << 32) / turn));
     const auto part = [&](std::int64_t of_one) {
@@ -40,7 +43,9 @@ std::string_view fault_of(const Delta::Parameters& delta) {
   if (!within(delta.height, shortest, longest)) return "H not within 1 to 1000 mm";
   if (!within(delta.radius, shortest, longest)) return "R not within 1 to 1000 mm";
   if (!within(delta.rod, shortest, longest)) return "L not within 1 to 1000 mm";
+  units::LoopBound<spatial_axes, 1> towers;
   for (std::size_t i = 0; i < spatial_axes; ++i) {
+    towers.next();
     if (delta.angle_trim[i] < -most_turn || delta.angle_trim[i] > most_turn) {
       return "X, Y or Z not within -10 to 10 degrees";
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace motion::kinematics {
@@ -15,7 +16,9 @@ using units::magnitude;
 // Up to 1 m.
 Scaled length_of(const units::PerAxis<units::Nanometers>& distance) {
   std::uint64_t sum = 0;
+  units::LoopBound<spatial_axes> axes;
   for (std::size_t i = 0; i < spatial_axes; ++i) {
+    axes.next();
     const std::uint64_t size = magnitude(distance[i].count());
     sum += size * size;
   }
@@ -30,7 +33,9 @@ units::MicrometersPerSecond speed_of_axes(const Limits& limits, const Place& fro
   for (std::size_t i = 0; i < spatial_axes; ++i) distance[i] = (to[i] - from[i]).nearest();
   const Scaled length = length_of(distance);
   Scaled speed = Scaled::of(magnitude(max_speed.count()));
+  units::LoopBound<spatial_axes, 1> axes;
   for (std::size_t i = 0; i < spatial_axes; ++i) {
+    axes.next();
     const std::uint64_t part = magnitude(distance[i].count());
     if (part == 0) continue;
     const Scaled most = Scaled::of(magnitude(limits.axes[i].max_speed.count()));
@@ -46,7 +51,9 @@ void limit_to_motors(const Limits& limits, const Displacement& displacement, Lin
   if (course.extruder_leads || length == Scaled()) return;
   Scaled acceleration = Scaled::of(magnitude(course.acceleration.count()));
   const Scaled before = acceleration;
+  units::LoopBound<spatial_axes, 2> motors;
   for (std::size_t i = 0; i < spatial_axes; ++i) {
+    motors.next();
     const AxisLimits& motor = limits.axes[i];
     const std::uint32_t steps = magnitude(displacement.steps[i]);
     if (steps == 0) continue;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which machines are refused, and what is left out of the check of others.
+#include "tools/timing/machine_schedule.hpp"
+
+#include <gmock/gmock.h>
+
+namespace timing {
+namespace {
+
+using application::MachineDescription;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using units::Task;
+
+constexpr Rate slow{4'000'000, 250'000}, fast{50'000'000, 250'000};
+
+// All that has a bound has this one, but for the tasks.
+Schedule schedule_with(Clocks of_all, Clocks of_planning) {
+  Schedule schedule{.facts = {}, .load = {}, .rows = {}};
+  Load& load = schedule.load;
+  load.tasks.fill(of_all);
+  load.gaps.fill(100);
+  load.tasks[static_cast<std::size_t>(Task::planning)] = of_planning;
+  load.pass = of_all * (units::task_count - 1) + of_planning;
+  load.start = 100;
+  load.line = of_all / 2;
+  load.refill_without_line = of_all / 4;
+  return schedule;
+}
+
+MachineDescription levelled() {
+  static const motion::LevellingSettings settings{};
+  MachineDescription machine;
+  machine.levelling = &settings;
+  return machine;
+}
+
+MachineDescription delta() {
+  MachineDescription machine;
+  machine.kinematics = motion::kinematics::Delta::Parameters{};
+  return machine;
+}
+
+MachineDescription shaped() {
+  MachineDescription machine;
+  machine.shaping = motion::ShapingSettings{};
+  return machine;
+}
+
+TEST(MachineSchedule, is_whole_for_a_machine_without_such_parts) {
+  EXPECT_THAT(left_out({}).requirements, IsEmpty());
+  EXPECT_EQ(refusal_of(schedule_with(10'000, 10'000), {}, slow), "");
+  const std::string refusal = refusal_of(schedule_with(10'000, 90'000), {}, fast);
+  EXPECT_THAT(refusal, HasSubstr("allowance: 90000 of 28000 clocks"));
+  EXPECT_THAT(refusal, HasSubstr("no clock helps"));
+}
+
+TEST(MachineSchedule, of_core_xy_has_a_longer_least_line) {
+  MachineDescription machine;
+  machine.kinematics = motion::kinematics::CoreXy::Parameters{};
+  ASSERT_TRUE(machine.is_heavy());
+  EXPECT_FALSE(delta().is_heavy());
+  EXPECT_THAT(left_out(machine).requirements, IsEmpty());
+  Schedule schedule = schedule_with(10'000, 29'000);
+  EXPECT_NE(refusal_of(schedule, machine, fast), "");
+  schedule.facts = application::schedule_facts(false, machine.is_heavy());
+  EXPECT_EQ(refusal_of(schedule, machine, fast), "");
+}
+
+TEST(MachineSchedule, of_long_plans_leaves_out_that_motion_goes_on) {
+  for (const MachineDescription& machine : {levelled(), delta()}) {
+    EXPECT_EQ(left_out(machine).requirements.size(), 2U);
+    EXPECT_EQ(refusal_of(schedule_with(10'000, 90'000), machine, fast), "");
+    const std::string refusal = refusal_of(schedule_with(10'000, 2'000'000), machine, slow);
+    EXPECT_THAT(refusal, HasSubstr("M112 stops"));
+    EXPECT_THAT(refusal, HasSubstr("a faster clock"));
+  }
+}
+
+TEST(MachineSchedule, of_shaped_motion_and_s_curves_is_left_out) {
+  MachineDescription s_curve;
+  s_curve.limits.s_curve = true;
+  EXPECT_EQ(left_out(s_curve).requirements.size(), requirement_count - 1);
+  EXPECT_EQ(left_out(shaped()).requirements.size(), requirement_count - 1);
+  EXPECT_EQ(refusal_of(schedule_with(10'000, 2'000'000), shaped(), slow), "");
+  EXPECT_THAT(refusal_of(schedule_with(10'000, 10'000), shaped(), {4'000'000, 3'000'000}),
+              HasSubstr("a bit of the serial line"));
+}
+
+}  // namespace
+}  // namespace timing
