@@ -152,8 +152,7 @@ static_assert([] {
 
 // The pass ends behind these, where they have had anything to do; the next one goes on with the round.
 constexpr bool ends_pass(units::Task task) {
-  return task == units::Task::heat || task == units::Task::reports ||
-         task == units::Task::commands;
+  return task == units::Task::heat || task == units::Task::reports || task == units::Task::commands;
 }
 inline constexpr std::uint64_t passes_of_a_round = [] {
   std::uint64_t passes = 0;

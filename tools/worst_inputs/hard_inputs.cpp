@@ -34,8 +34,8 @@ SerialInput at_once(std::string bytes) { return {{.pause_us = 0, .bytes = std::m
 SerialInput moves(std::string_view feedrate) {
   std::string bytes = "M211 S0\nG92 X100 Y100 Z50 E0\n";
   for (int i = 0; i < 12; ++i) {
-    bytes += fmt::format("G1 X{:.3f} Y{:.3f} E{:.4f} F{}\n", 100 + 0.7 * (i % 3), 100 + 0.9 * (i % 4),
-                         0.031 * i, feedrate);
+    bytes += fmt::format("G1 X{:.3f} Y{:.3f} E{:.4f} F{}\n", 100 + 0.7 * (i % 3),
+                         100 + 0.9 * (i % 4), 0.031 * i, feedrate);
   }
   return at_once(bytes);
 }
@@ -45,7 +45,8 @@ SerialInput moves(std::string_view feedrate) {
 std::vector<SerialInput> hard_inputs() {
   constexpr std::string_view move =
       "G1 X123.4567891234 Y-87.6543219876 Z12.3456789123 E1234.56789123 F7654.32198765";
-  constexpr std::string_view beyond = "G1 X99999999.999999 Y-99999999.999999 Z88888888.888888 E1 F1";
+  constexpr std::string_view beyond =
+      "G1 X99999999.999999 Y-99999999.999999 Z88888888.888888 E1 F1";
   std::vector<SerialInput> inputs{
       at_once(lengthened(move, '0', false)),
       at_once(lengthened(move, ' ', true)),
@@ -63,7 +64,8 @@ std::vector<SerialInput> hard_inputs() {
       moves("300"),
       at_once("M104 S200\nM140 S60\nM106 S255\nM105\n"),
       at_once("M503\nM115\nM119\nM122\nM114\n"),
-      at_once("M92 X80.123456 Y80.654321 Z400.111111 E93.222222\nM203 X1 Y2 Z3 E4\nM201 X9 Y8 Z7\n"),
+      at_once(
+          "M92 X80.123456 Y80.654321 Z400.111111 E93.222222\nM203 X1 Y2 Z3 E4\nM201 X9 Y8 Z7\n"),
   };
   return inputs;
 }

@@ -94,7 +94,8 @@ Slices Rig::measure(const SerialInput& input) {
   }
   const bool settled = settle();
   Slices slices;
-  std::ranges::transform(words, slices.begin(), [this](std::uint32_t place) { return word(place); });
+  std::ranges::transform(words, slices.begin(),
+                         [this](std::uint32_t place) { return word(place); });
   if (!settled || word(offsetof(Statistics, halted) / 4) != 0) reset();
   return slices;
 }
