@@ -25,8 +25,8 @@ constexpr auto needs = [] {
   return parts;
 }();
 
-// What a task says, two lines at most: the queue's bytes, and the texts that they come from; how many
-// of its numbers may need more than 32 bits.
+// What a task says, two lines at most: the queue's bytes, and the texts that they come from; how
+// many of its numbers may need more than 32 bits.
 template <std::uint32_t long_digits>
 struct WordsBound {
   units::EventBound<units::Event::byte_queued, host_link::TextLine::capacity * 2> bytes;

@@ -13,6 +13,8 @@ units::Cycles Timer::now() const {
   return units::Cycles(static_cast<std::int64_t>(platform::read<registers::timer::Time>().cycles));
 }
 
+std::uint32_t Timer::now_low() const { return platform::read<registers::timer::TimeLow>().cycles; }
+
 void Timer::set_deadline(units::Cycles deadline) {
   software_stepping::chip_stepper().set_alarm(static_cast<std::uint64_t>(deadline.count()));
 }

@@ -18,8 +18,8 @@ units::Milliseconds link_time(std::chrono::milliseconds now) {
   return units::Milliseconds(now.count());
 }
 
-// What follows `prefix`. None for another command, or one whose number noise has removed: it is
-// refused.
+// What follows `prefix`. None for another command, or one whose number noise has removed, which is
+// to be refused.
 std::optional<double> value_after(std::string_view prefix, std::string_view text) {
   if (!text.starts_with(prefix)) return std::nullopt;
   text.remove_prefix(prefix.size());

@@ -2,6 +2,7 @@
 // Which machines are refused, and what is left out of the check of others.
 #include "tools/timing/machine_schedule.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace timing {
@@ -12,6 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using units::Task;
 
+const Clocks planning_allowance = Facts().allowances[static_cast<std::size_t>(Task::planning)];
 constexpr Rate slow{4'000'000, 250'000}, fast{50'000'000, 250'000};
 
 // All that has a bound has this one, but for the tasks.
@@ -49,9 +51,9 @@ MachineDescription shaped() {
 
 TEST(MachineSchedule, is_whole_for_a_machine_without_such_parts) {
   EXPECT_THAT(left_out({}).requirements, IsEmpty());
-  EXPECT_EQ(refusal_of(schedule_with(10'000, 10'000), {}, slow), "");
-  const std::string refusal = refusal_of(schedule_with(10'000, 90'000), {}, fast);
-  EXPECT_THAT(refusal, HasSubstr("allowance: 90000 of 28000 clocks"));
+  EXPECT_EQ(refusal_of(schedule_with(8'000, 8'000), {}, slow), "");
+  const std::string refusal = refusal_of(schedule_with(8'000, 90'000), {}, fast);
+  EXPECT_THAT(refusal, HasSubstr(fmt::format("allowance: 90000 of {} clocks", planning_allowance)));
   EXPECT_THAT(refusal, HasSubstr("no clock helps"));
 }
 
@@ -61,7 +63,7 @@ TEST(MachineSchedule, of_core_xy_has_a_longer_least_line) {
   ASSERT_TRUE(machine.is_heavy());
   EXPECT_FALSE(delta().is_heavy());
   EXPECT_THAT(left_out(machine).requirements, IsEmpty());
-  Schedule schedule = schedule_with(10'000, 29'000);
+  Schedule schedule = schedule_with(8'000, planning_allowance + 1'000);
   EXPECT_NE(refusal_of(schedule, machine, fast), "");
   schedule.facts = application::schedule_facts(false, machine.is_heavy());
   EXPECT_EQ(refusal_of(schedule, machine, fast), "");
@@ -70,8 +72,8 @@ TEST(MachineSchedule, of_core_xy_has_a_longer_least_line) {
 TEST(MachineSchedule, of_long_plans_leaves_out_that_motion_goes_on) {
   for (const MachineDescription& machine : {levelled(), delta()}) {
     EXPECT_EQ(left_out(machine).requirements.size(), 2U);
-    EXPECT_EQ(refusal_of(schedule_with(10'000, 90'000), machine, fast), "");
-    const std::string refusal = refusal_of(schedule_with(10'000, 2'000'000), machine, slow);
+    EXPECT_EQ(refusal_of(schedule_with(8'000, 90'000), machine, fast), "");
+    const std::string refusal = refusal_of(schedule_with(8'000, 2'000'000), machine, slow);
     EXPECT_THAT(refusal, HasSubstr("M112 stops"));
     EXPECT_THAT(refusal, HasSubstr("a faster clock"));
   }
@@ -82,8 +84,8 @@ TEST(MachineSchedule, of_shaped_motion_and_s_curves_is_left_out) {
   s_curve.limits.s_curve = true;
   EXPECT_EQ(left_out(s_curve).requirements.size(), requirement_count - 1);
   EXPECT_EQ(left_out(shaped()).requirements.size(), requirement_count - 1);
-  EXPECT_EQ(refusal_of(schedule_with(10'000, 2'000'000), shaped(), slow), "");
-  EXPECT_THAT(refusal_of(schedule_with(10'000, 10'000), shaped(), {4'000'000, 3'000'000}),
+  EXPECT_EQ(refusal_of(schedule_with(8'000, 2'000'000), shaped(), slow), "");
+  EXPECT_THAT(refusal_of(schedule_with(8'000, 10'000), shaped(), {4'000'000, 3'000'000}),
               HasSubstr("a bit of the serial line"));
 }
 
