@@ -10,12 +10,12 @@
 namespace application {
 namespace {
 
-// One update says a line and its ok, which may report something.
+// One update says a line, or some short ones, and its ok, which may report something.
 constexpr std::uint32_t most_bytes_said = 2 * host_link::TextLine::capacity;
 // Of the texts that it puts together: what it says, a line that finds no room in the queue, and
 // parts of them that are put together before.
 constexpr std::uint32_t most_characters = most_bytes_said + 3 * host_link::TextLine::capacity;
-// Of one number.
+// Of all its numbers.
 constexpr std::uint32_t most_long_digits = 10;
 
 }  // namespace

@@ -88,16 +88,12 @@ Progress LevellingCommands::refuse_to_follow(ActiveCommand& command) {
           : "Error:Failed to enable Bed Leveling: no mesh, G29 first"sv);
 }
 
+// A line in each pass.
 Progress LevellingCommands::say_mesh(ActiveCommand& command) {
-  units::LoopBound<mesh_titles + motion::BedMesh::most_points> lines;
   std::size_t& said = command.lines_said;
-  for (; said < mesh_titles + points(1); ++said) {
-    lines.next();
-    if (command.say(mesh_line(said, motion_.levelling().mesh)) == Progress::again) {
-      return Progress::again;
-    }
-  }
-  return Progress::done;
+  if (said >= mesh_titles + points(1)) return Progress::done;
+  if (command.say(mesh_line(said, motion_.levelling().mesh)) == Progress::done) ++said;
+  return Progress::again;
 }
 
 Progress LevellingCommands::set_point(ActiveCommand& command) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves, dwells, homing, and motors.
 #include "application/motion_commands.hpp"
-#include "units/event_bound.hpp"
 
 #include <algorithm>
 #include <string_view>
+
+#include "units/event_bound.hpp"
 
 namespace application {
 

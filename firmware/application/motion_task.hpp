@@ -41,7 +41,7 @@ class MotionTask {
   // How long motion goes on by itself at least, where lines wait that must go on before it ends:
   // microseconds at refill(), no_haste or less.
   static constexpr std::int32_t no_haste = 1 << 30;
-  // Of more no task asks; as clocks it fits into 31 bits.
+  // No task needs more; as clocks it fits into 31 bits.
   static constexpr std::int32_t most_in_hand = 1'000'000;
   std::int32_t time_in_hand() const;
   // The lines of a start are collected before it, while all else waits.

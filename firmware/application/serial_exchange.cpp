@@ -12,8 +12,7 @@
 namespace application {
 namespace {
 
-// An error and the request to send a line again, answers of two lines at most, that it is busy, and
-// that M112 has stopped it.
+// An error and the request to send a line again, answers of two lines at most, and that it is busy.
 constexpr std::uint32_t most_bytes_said = 320;
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Time in milliseconds and microseconds from a count of clocks, without a division per look.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "units/quantity.hpp"
@@ -20,8 +21,8 @@ class TickClock {
       : clocks_per_tick_(clock.count() / 1000),
         ticks_per_clock_(static_cast<std::uint32_t>(word / clocks_per_tick_)),
         // Rounded up: the first clock of a microsecond is in it, and the last of a tick below 1000.
-        microseconds_per_clock_(
-            static_cast<std::uint32_t>((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_)),
+        microseconds_per_clock_(static_cast<std::uint32_t>(
+            std::min((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_, word - 1))),
         clocks_per_microsecond_(
             static_cast<std::uint32_t>((std::uint64_t{clocks_per_tick_} << fraction_bits) / 1000)) {
   }
@@ -49,7 +50,7 @@ class TickClock {
     const auto ticks = static_cast<std::uint32_t>(std::uint64_t{clocks} * ticks_per_clock_ / word);
     return ticks + (clocks - ticks * clocks_per_tick_ >= clocks_per_tick_ ? 1 : 0);
   }
-  // Of a time below an hour, rounded down. The lower half of the number, as of all clocks.
+  // Clocks in so many microseconds, below an hour, rounded down; modulo 2^32.
   std::uint32_t clocks_in(std::uint32_t microseconds) const {
     return static_cast<std::uint32_t>(std::uint64_t{microseconds} * clocks_per_microsecond_ >>
                                       fraction_bits);
@@ -65,7 +66,7 @@ class TickClock {
     microseconds_ += units::Microseconds(ticks * 1000);
   }
 
-  std::uint32_t clocks_per_tick_;  // below 2^22
+  std::uint32_t clocks_per_tick_;  // 1000 to 1'000'000
   std::uint32_t ticks_per_clock_, microseconds_per_clock_;  // of 2^32
   std::uint32_t clocks_per_microsecond_;  // with `fraction_bits` fractional bits
   units::Cycles tick_begin_{};

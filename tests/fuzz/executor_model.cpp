@@ -119,7 +119,7 @@ bool ExecutorModel::exchange(std::string_view text, bool waits) {
   check_extremes();
   if (!answered) return false;
   // What a fault has to say is sent in the next pass.
-  if (instant_chip().stopped() || rejected_) pass();
+  if (instant_chip().stopped() || (rejected_ && before.targets_have_changed())) pass();
   if (rejected_ && !switched_off_) before.require_unchanged(text);
   return true;
 }

@@ -86,6 +86,12 @@ void Observation::look() {
   may_leave_travel_ = application.executor().groups().motion.may_go_to(outside);
 }
 
+bool Observation::targets_have_changed() const {
+  static Observation now;
+  now.look();
+  return now.targets_ != targets_;
+}
+
 // Byte by byte, and so modes and shifts too.
 void Observation::require_unchanged(std::string_view line) const {
   static Observation now;

@@ -29,6 +29,8 @@ class Observation {
  public:
   // Takes the place of what was seen before.
   void look();
+  // Since then.
+  bool targets_have_changed() const;
   // By that line.
   void require_unchanged(std::string_view line) const;
 

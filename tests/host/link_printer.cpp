@@ -18,14 +18,15 @@ units::Milliseconds link_time(std::chrono::milliseconds now) {
   return units::Milliseconds(now.count());
 }
 
-// What follows `prefix`. None for another command, or one whose number noise has removed, which is
-// to be refused.
+// The number behind `prefix`, up to a blank. None for another command, or one whose number noise
+// has removed, which is to be refused.
 std::optional<double> value_after(std::string_view prefix, std::string_view text) {
   if (!text.starts_with(prefix)) return std::nullopt;
   text.remove_prefix(prefix.size());
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  const bool ends = end == text.data() + text.size() || *end == ' ';
+  if (error != std::errc() || !ends || !(value >= 0 && value < 1'000)) return std::nullopt;
   return value;
 }
 

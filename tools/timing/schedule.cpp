@@ -55,7 +55,7 @@ class Situation {
   Wide at_most(std::uint64_t ms) const { return Wide{ms} * rate_.clock_hz; }
   Wide at_least(std::uint64_t ms) const { return at_most(ms) - thousand * Wide{ms}; }
   Wide sleep() const { return at_most(facts_.sleep_ms); }
-  // What time in hand, the time of a look and a need lose by being whole microseconds.
+  // What the time in hand and the time of a look lose by being whole microseconds, and more.
   Wide rounding() const { return 3 * at_most(1) / 1000; }
   Wide time_of_bytes(std::uint64_t bytes) const {
     return (thousand * bytes * facts_.frame_bits * rate_.clock_hz + rate_.baud - 1) / rate_.baud;
@@ -117,10 +117,9 @@ Wide Situation::reserve() const {
 }
 
 // How much less than what is due at the end of a refill is in hand when the next pass gets to a
-// task, at the end of motion's turn: it may have seen that before a line that has filled the queue.
+// task, behind motion's turn: it may have seen that before a line that has filled the queue.
 Wide Situation::margin() const {
-  const Clocks to_motion = overhead(load_) - *load_.gaps[static_cast<std::size_t>(Task::motion)];
-  return rounding() + thousand * (to_motion + *load_.refill_without_line + *load_.line);
+  return rounding() + thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
 }
 
 // What a refill must make sure of, so that the longest of all may begin.

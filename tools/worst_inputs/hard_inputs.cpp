@@ -55,7 +55,8 @@ std::vector<SerialInput> hard_inputs() {
       at_once(lengthened("M118 ", '~', false)),
       at_once(lengthened("Q1 ", '\x7f', false)),
       at_once("M110 N2147483\n" + numbered(2'147'484, move)),
-      at_once("M110 N5\n" + numbered(6, move) + numbered(6, move) + numbered(9, move)),
+      at_once("M110 N5\n" + numbered(6, move) + numbered(6, move) + numbered(9, move) +
+              numbered(7, "M105")),
       at_once("M110 N5\n" + numbered(6, move).insert(4, 1, 'X') + numbered(7, "M105")),
       at_once("G92 X10000000 Y-1000000000 Z-1000000000 E1000000000\nM114\nM154 S1\nM155 S1\n"),
       at_once("M211 S0\nG92 X50 Y50 Z10 E0\nG2 X70 Y50 I10 J0 E5 F9000\nG3 X50 Y50 R10 E1\n"),
