@@ -106,7 +106,7 @@ TEST(machine_generator, refuses_a_clock_that_is_too_slow_for_the_serial_line) {
                         "clocks for each bit: 12 at least, or a slower line"));
   EXPECT_THAT(complaint_at("4", "1_000_000"), testing::IsEmpty());
   EXPECT_THAT(complaint_at("12.5", "3_000_000"), testing::IsEmpty());
-  EXPECT_THAT(complaint_at("0.5", "9_600"), HasSubstr("clock_mhz: is 0.5, but must be 1 to 200"));
+  EXPECT_THAT(complaint_at("0.5", "9_600"), HasSubstr("clock_mhz: is 0.5, but must be 4 to 200"));
 }
 
 // It becomes a text of the firmware, which sends it to hosts in one line.

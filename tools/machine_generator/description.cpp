@@ -24,7 +24,7 @@ constexpr std::int64_t farthest_offset_nanometers = 1'000'000'000;
 constexpr std::int64_t max_driver_ns = 100'000;
 constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t least_memory_kib = 64, most_memory_kib = 256;
-constexpr std::int64_t least_clock_mhz = 1, most_clock_mhz = 200;
+constexpr std::int64_t least_clock_mhz = 4, most_clock_mhz = 200;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr const char* s_curve_key = "s_curve_acceleration";
 
