@@ -10,7 +10,7 @@
 namespace application {
 namespace {
 
-constexpr std::uint32_t clocks_hz[] = {4'000'000,  12'000'000, 16'000'000,  24'576'000,
+constexpr std::uint32_t clocks_hz[] = {4'000'000,  12'000'000,  16'000'000, 24'576'000,
                                        50'000'000, 100'000'000, 200'000'000};
 
 TEST(TickClock, counts_ticks_and_microseconds_over_steps_of_any_length) {
