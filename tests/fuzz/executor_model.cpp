@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 
+#include "application/task_table.hpp"
 #include "machine/machine.hpp"
 #include "tests/fuzz/executor_state.hpp"
 #include "tests/fuzz/property.hpp"
@@ -35,12 +36,16 @@ constexpr std::int64_t tolerance_steps = 8;
 constexpr unsigned short_passes = 2;
 constexpr std::uint32_t short_pass_clocks = clocks_of_ms, long_pass_clocks = 60 * clocks_of_ms;
 constexpr std::uint32_t longest_pass_clocks = 2000 * clocks_of_ms;
+// Heat is due in each long pass and ends it, and so may a report.
+constexpr auto passes_of_a_round = static_cast<unsigned>(application::passes_of_a_round);
 // Within so many passes there is another line, if there is one.
-constexpr unsigned longest_rest = 20;
+constexpr unsigned longest_rest = 20 * passes_of_a_round;
 // Of motion that is not waited for.
 constexpr std::uint32_t long_motion_clocks = 20'000 * clocks_of_ms;
 // Homing behind the last chords of an arc needs some 100.
-constexpr unsigned most_passes = 100, most_passes_of_wait = 6, most_passes_at_the_end = 12;
+constexpr unsigned most_passes = 100 * passes_of_a_round,
+                   most_passes_of_wait = 6 * passes_of_a_round,
+                   most_passes_at_the_end = 12 * passes_of_a_round;
 
 }  // namespace
 
@@ -118,8 +123,10 @@ bool ExecutorModel::exchange(std::string_view text, bool waits) {
   check_targets();
   check_extremes();
   if (!answered) return false;
-  // What a fault has to say is sent in the next pass.
-  if (instant_chip().stopped() || (rejected_ && before.targets_have_changed())) pass();
+  // What a fault has to say is sent within the next round.
+  if (instant_chip().stopped() || (rejected_ && before.targets_have_changed())) {
+    for (unsigned i = 0; i < passes_of_a_round; ++i) pass();
+  }
   if (rejected_ && !switched_off_) before.require_unchanged(text);
   return true;
 }
