@@ -126,6 +126,7 @@ bool ExecutorModel::exchange(std::string_view text, bool waits) {
   // What a fault has to say is sent within the next round.
   if (instant_chip().stopped() || (rejected_ && before.targets_have_changed())) {
     for (unsigned i = 0; i < passes_of_a_round; ++i) pass();
+    if (halted()) return false;
   }
   if (rejected_ && !switched_off_) before.require_unchanged(text);
   return true;
