@@ -66,7 +66,7 @@ class TickClock {
     microseconds_ += units::Microseconds(ticks * 1000);
   }
 
-  std::uint32_t clocks_per_tick_;  // 1000 to 1'000'000
+  std::uint32_t clocks_per_tick_;  // 4000 to 200'000
   std::uint32_t ticks_per_clock_, microseconds_per_clock_;  // of 2^32
   std::uint32_t clocks_per_microsecond_;  // with `fraction_bits` fractional bits
   units::Cycles tick_begin_{};

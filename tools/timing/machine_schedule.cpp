@@ -33,16 +33,14 @@ LeftOut left_out(const application::MachineDescription& machine) {
 std::string refusal_of(const Schedule& schedule, const application::MachineDescription& machine,
                        Rate rate) {
   const auto unproved = left_out(machine).requirements;
-  const bool is_whole = schedule.load.is_whole();
-  const Load load = is_whole ? schedule.load : bounded_part(schedule.rows);
   std::string text;
   bool clock_helps = true;
-  for (const Response& response : respond(schedule.facts, load, rate)) {
-    if (response.holds || unproved.contains(response.requirement)) continue;
+  for (const Response& response : misses(schedule, rate)) {
+    if (unproved.contains(response.requirement)) continue;
     text += "  " + response.text() + "\n";
     clock_helps = clock_helps && !row_of(response.requirement).up_to_a_clock;
   }
-  if (text.empty() || !is_whole) return text;
+  if (text.empty() || !schedule.load.is_whole()) return text;
   if (!clock_helps) return text + "remedy: a shorter pass; no clock helps\n";
   if (!unproved.empty()) return text + "remedy: a faster clock, or a slower serial line\n";
   const ClockRange range = clocks_that_hold(schedule.facts, schedule.load, rate.baud);

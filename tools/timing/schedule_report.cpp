@@ -108,14 +108,14 @@ Load bounded_part(const std::vector<TaskRow>& rows) {
   return load;
 }
 
-std::vector<std::string> refusals(const Schedule& schedule, Rate rate) {
+std::vector<Response> misses(const Schedule& schedule, Rate rate) {
   const bool is_whole = schedule.load.is_whole();
   const Load load = is_whole ? schedule.load : bounded_part(schedule.rows);
-  std::vector<std::string> reasons;
+  std::vector<Response> missed;
   for (const Response& response : respond(schedule.facts, load, rate)) {
-    if (!response.holds) reasons.push_back(response.text());
+    if (!response.holds) missed.push_back(response);
   }
-  return reasons;
+  return missed;
 }
 
 bool is_schedulable(const Schedule& schedule) {

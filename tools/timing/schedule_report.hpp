@@ -32,9 +32,9 @@ std::vector<std::string> missing_bounds(const Schedule& schedule);
 // A pass of nothing but the tasks that have a bound: what it misses, the whole one misses too.
 Load bounded_part(const std::vector<TaskRow>& rows);
 
-// Why the loop is not schedulable at one rate, a line for each reason. Where the pass has no bound,
-// only what the tasks with a bound miss by themselves.
-std::vector<std::string> refusals(const Schedule& schedule, Rate rate);
+// What is missed at one rate. Where the pass has no bound, only what those tasks that have one miss
+// by themselves.
+std::vector<Response> misses(const Schedule& schedule, Rate rate);
 
 // Everything has a bound, and at each offered baud rate there is a clock at which all holds.
 bool is_schedulable(const Schedule& schedule);
