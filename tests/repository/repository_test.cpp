@@ -179,4 +179,18 @@ TEST(repository, the_firmware_logic_includes_no_hardware) {
   }
 }
 
+// tools/timing relies on it: whatever else the program accesses lies in memory.
+TEST(repository, the_firmware_makes_pointers_of_numbers_in_one_place) {
+  const std::regex cast(R"(reinterpret_cast<[^>]*\*>)");
+  const std::set<std::string> of_pointers{"firmware/boot_loader/main.cpp",
+                                          "firmware/platform/memory.cpp"};
+  std::set<std::string> found;
+  for (const fs::path& file : repository::files({".cpp", ".hpp"}, "firmware")) {
+    if (std::regex_search(text_of(project / file), cast)) found.insert(file.string());
+  }
+  for (const std::string& file : of_pointers) found.erase(file);
+  EXPECT_EQ(found, std::set<std::string>{"firmware/platform/bus.cpp"})
+      << "platform/bus.hpp reads and writes registers";
+}
+
 }  // namespace

@@ -32,6 +32,15 @@ TEST(Bound, takes_the_longest_way_and_the_declared_rounds) {
   EXPECT_EQ(bound_of(program, true_costs()), 19U + 4 * 6 + 3 + 3);
 }
 
+TEST(Bound, takes_an_unknown_address_for_memory_where_nothing_accesses_the_bus) {
+  Program program = with_choices();
+  program.markers = {{.address = program.first + setup_bytes + 12, .most = 4}};
+  program.functions_on_bus.emplace();
+  EXPECT_EQ(bound_of(program, true_costs()), 19U + 4 * 4 + 3 + 3) << "the load takes 1 clock";
+  program.functions_on_bus = {program.first + setup_bytes};
+  EXPECT_EQ(bound_of(program, true_costs()), 19U + 4 * 6 + 3 + 3);
+}
+
 TEST(Bound, a_loop_without_bound_is_a_problem_with_its_place) {
   Program program = with_choices();
   Analysis analysis(program, true_costs(), true);

@@ -47,6 +47,8 @@ class Run {
       costs.*row.cost += 1;
       wrong_sums_.emplace_back(program_, costs, CHIP_HAS_ZBB);
     }
+    silent_program_ = program_;
+    silent_program_.functions_on_bus.emplace();
     sim::VerilatedChip chip(clock_hz);
     tests::LoadedPrinter loaded(chip, clock_hz, 200, 60);
     sim::Simulation& simulation = loaded.simulation;
@@ -60,6 +62,7 @@ class Run {
       sum_.take(sample);
       if (simulation.now() > clocks_with_wrong_costs) continue;
       for (CostSum& wrong : wrong_sums_) wrong.take(sample);
+      silent_sum_.take(sample);
     }
     // start.S has painted it.
     const Address top = program_.addresses.at("_stack_top");
@@ -104,6 +107,8 @@ class Run {
   Calls calls_;
   CostSum sum_{program_, costs_, CHIP_HAS_ZBB};
   std::vector<CostSum> wrong_sums_;  // as `executed_costs`
+  Program silent_program_;  // says of no function that it accesses the bus
+  CostSum silent_sum_{silent_program_, costs_, CHIP_HAS_ZBB};
   std::uint32_t stack_bytes_ = 0;
 };
 
@@ -137,6 +142,11 @@ TEST(CostSum, finds_each_wrong_cost) {
     EXPECT_GT(run().wrong_sums_[i].costs(), run().wrong_sums_[i].clocks())
         << executed_costs[i].name;
   }
+}
+
+TEST(CostSum, finds_an_access_of_the_bus_of_which_the_source_says_nothing) {
+  EXPECT_GT(run().silent_sum_.differences(), 1'000U);
+  EXPECT_LT(run().silent_sum_.costs(), run().silent_sum_.clocks());
 }
 
 TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {

@@ -25,5 +25,15 @@ TEST(Coverage, few_functions_of_the_firmware_have_no_bound) {
   for (const Row& row : rows) EXPECT_EQ(row.clocks.has_value(), row.problems.empty()) << row.name;
 }
 
+// By its lines: those into which the accesses are inlined, too.
+TEST(Coverage, the_image_says_which_functions_access_the_bus) {
+  const Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
+  ASSERT_TRUE(program.functions_on_bus);
+  EXPECT_GT(program.functions_on_bus->size(), 10U);
+  EXPECT_LT(program.functions_on_bus->size(), program.symbols.size() / 4);
+  EXPECT_TRUE(program.may_access_bus(program.find("platform::bus_read").front()));
+  EXPECT_FALSE(program.may_access_bus(program.find("gcode::parse").front()));
+}
+
 }  // namespace
 }  // namespace timing

@@ -87,6 +87,7 @@ Program program_with_facts() {
   program.symbols[address(place::counted_function)] = {.name = "counted", .size = 12};
   program.symbols[address(place::shorter)] = {.name = "shorter", .size = 16};
   program.symbols[address(place::longer)] = {.name = "longer", .size = 8};
+  program.functions_on_bus = {address(place::function)};
   program.call_tables = {
       {.place = address(place::call_by_table), .first = address(place::table), .bytes = 8}};
   program.markers = {{.address = address(place::declared_round), .most = bus_word}};

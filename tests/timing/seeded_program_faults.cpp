@@ -78,6 +78,8 @@ std::vector<Fault> wrong_flow() {
        [](Tool& tool) { tool.program.memory_start = 0xF000'0000; }},
       {"an address wrong", "a bus address that is not known priced as memory", measured_time,
        [](Tool& tool) { tool.replace(place::bus_address, encode::add_immediate(17, 2, 0)); }},
+      {"an access lost", "of a function of which the source says nothing", refusal,
+       [](Tool& tool) { tool.program.functions_on_bus.emplace(); }},
       {"an access lost", "of a sample on the bus", cost_sum,
        [](Tool& tool) { std::ranges::find(tool.steps, true, &Step::on_bus)->on_bus = false; }},
       {"an instruction lost", "of the samples", cost_sum,

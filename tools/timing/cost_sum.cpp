@@ -33,8 +33,10 @@ void CostSum::execute(const Sample& behind) {
   };
   const auto instruction = at(address);
   const bool goes_on_elsewhere = behind.program_counter != address + instruction.bytes;
-  const std::uint64_t costs = costs_.of(instruction, goes_on_elsewhere, accesses_) +
-                              costs_.between(at(*before_), instruction);
+  // An access where the analysis expects none is a difference.
+  const bool on_bus = accesses_ && program_.may_access_bus(address);
+  const std::uint64_t costs =
+      costs_.of(instruction, goes_on_elsewhere, on_bus) + costs_.between(at(*before_), instruction);
   const std::uint64_t slept = behind.slept - slept_before_;
   const std::uint64_t clocks = behind.begins - last_->begins - slept;
   ++instructions_;

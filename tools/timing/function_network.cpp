@@ -51,12 +51,14 @@ void FunctionNetwork::add_problem(Address address, std::string what, std::string
                        .remedy = std::move(remedy)});
 }
 
-// The stack lies in memory. Any other address that is not known may be a peripheral's.
+// The stack lies in memory, and so does each object. An address that is not known is a peripheral's
+// at most where the function has an access of the bus.
 bool FunctionNetwork::on_bus(std::size_t node) const {
   const auto& instruction = flow_.nodes[node].instruction;
   const Value base = reached_.before[node]->registers[instruction.first];
-  if (base.is_constant()) return !analysis_.program_.in_memory(base.offset + instruction.immediate);
-  return base.base != stack_pointer;
+  const Program& program = analysis_.program_;
+  if (base.is_constant()) return !program.in_memory(base.offset + instruction.immediate);
+  return base.base != stack_pointer && program.may_access_bus(flow_.nodes[node].address);
 }
 
 std::vector<FunctionNetwork::Passage> FunctionNetwork::called(std::size_t node, const Link& link) {
@@ -105,6 +107,12 @@ Clocks FunctionNetwork::cost(std::size_t node, const Way* way) const {
 // To the end without a way.
 void FunctionNetwork::add_arcs(std::size_t node, const Way* way, const Link& link) {
   const Node& from = flow_.nodes[node];
+  const bool is_access =
+      is_load(from.instruction.operation) || is_store(from.instruction.operation);
+  if (is_access && on_bus(node) && !analysis_.program_.may_access_bus(from.address)) {
+    add_problem(from.address, "an access of the bus, of which the source does not say so",
+                "read and write registers by platform/bus.hpp");
+  }
   Arc arc{.from = node,
           .to = way == nullptr ? network_.end : way->to,
           .clocks = cost(node, way),

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <string_view>
+#include <cstddef>
 
 namespace timing {
 
@@ -36,6 +36,28 @@ std::string Lines::at(std::uint32_t address) const {
   if (line == nullptr || dwarf_lineno(line, &number) != 0) return {};
   const char* file = dwarf_linesrc(line, nullptr, nullptr);
   return file == nullptr ? std::string{} : fmt::format("{}:{}", within_project(file), number);
+}
+
+std::vector<std::uint32_t> Lines::places_of(std::string_view file) const {
+  std::vector<std::uint32_t> places;
+  Dwarf_CU* unit = nullptr;
+  Dwarf_Die die;
+  while (dwarf_ != nullptr &&
+         dwarf_get_units(dwarf_, unit, &unit, nullptr, nullptr, &die, nullptr) == 0) {
+    Dwarf_Lines* lines = nullptr;
+    std::size_t count = 0;
+    if (dwarf_getsrclines(&die, &lines, &count) != 0) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      Dwarf_Line* line = dwarf_onesrcline(lines, i);
+      const char* name = dwarf_linesrc(line, nullptr, nullptr);
+      Dwarf_Addr address = 0;
+      if (name == nullptr || within_project(name) != file) continue;
+      if (dwarf_lineaddr(line, &address) == 0) {
+        places.push_back(static_cast<std::uint32_t>(address));
+      }
+    }
+  }
+  return places;
 }
 
 }  // namespace timing

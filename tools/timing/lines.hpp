@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace timing {
 
@@ -19,6 +21,8 @@ class Lines {
 
   // "file:line"; empty where it is unknown.
   std::string at(std::uint32_t address) const;
+  // Where instructions of this file begin, wherever the compiler has inlined them.
+  std::vector<std::uint32_t> places_of(std::string_view file) const;
 
  private:
   Dwarf* dwarf_;

@@ -19,6 +19,10 @@ namespace timing {
 
 namespace {
 
+// All accesses of the bus are its code, and nothing else in the firmware makes a pointer of a
+// number: objects lie in memory (tests/repository checks that).
+constexpr std::string_view bus_source = "firmware/platform/bus.cpp";
+
 std::string demangled(const char* name) {
   int status = 0;
   char* text = abi::__cxa_demangle(name, nullptr, nullptr, &status);
@@ -172,6 +176,10 @@ std::string Program::place_of(Address address) const {
   return line.empty() ? fmt::format("{:#x}", address) : line;
 }
 
+bool Program::may_access_bus(Address place) const {
+  return !functions_on_bus || functions_on_bus->contains(function_at(place));
+}
+
 std::vector<Address> Program::find(std::string_view name) const {
   std::vector<Address> found;
   for (const auto& [address, symbol] : symbols) {
@@ -193,6 +201,11 @@ Program read_program(const std::filesystem::path& file) {
   Program program;
   program.lines = std::make_shared<const Lines>(descriptor);
   Reader(descriptor, file.string()).read(program);
+  std::set<Address> functions;
+  for (const Address place : program.lines->places_of(bus_source)) {
+    if (program.is_code(place)) functions.insert(program.function_at(place));
+  }
+  if (!functions.empty()) program.functions_on_bus = std::move(functions);
   return program;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,9 @@ struct Program {
   std::vector<CallTable> call_tables;
   std::vector<EventMarker> event_markers;
   std::vector<TaskMarker> task_markers;
+  // The functions with an access of the bus: in them alone an address that is not known may be a
+  // peripheral's. Nothing where the image does not say: in all.
+  std::optional<std::set<Address>> functions_on_bus;
   // Memory that answers at once; all else is on the bus.
   Address memory_start = 0x8000'0000;
   Address memory_bytes{};
@@ -84,6 +88,7 @@ struct Program {
   Address function_at(Address address) const;
   // "firmware/drivers/uart.cpp:42", or the address where the image does not say.
   std::string place_of(Address address) const;
+  bool may_access_bus(Address place) const;
   // Functions of this name: mangled or as in the source, whole or the part after any `::`.
   std::vector<Address> find(std::string_view name) const;
 };
