@@ -2,7 +2,6 @@
 // Time in milliseconds and microseconds from a count of clocks, without a division per look.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "units/quantity.hpp"
@@ -21,8 +20,8 @@ class TickClock {
       : clocks_per_tick_(clock.count() / 1000),
         ticks_per_clock_(static_cast<std::uint32_t>(word / clocks_per_tick_)),
         // Rounded up: the first clock of a microsecond is in it, and the last of a tick below 1000.
-        microseconds_per_clock_(static_cast<std::uint32_t>(
-            std::min((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_, word - 1))),
+        microseconds_per_clock_(
+            static_cast<std::uint32_t>((word * 1000 + clocks_per_tick_ - 1) / clocks_per_tick_)),
         clocks_per_microsecond_(
             static_cast<std::uint32_t>((std::uint64_t{clocks_per_tick_} << fraction_bits) / 1000)) {
   }

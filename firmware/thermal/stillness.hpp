@@ -5,8 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <tuple>
+
+#include "thermal/course.hpp"
 
 namespace thermal {
 
@@ -18,8 +19,7 @@ namespace thermal {
 // left, and the rest, which shows a disturbance that happens to cancel the rhythm.
 class Stillness {
  public:
-  using ConstValues = std::span<const std::int32_t>;
-  static constexpr std::size_t longest = 54;  // windows
+  static constexpr std::size_t longest = longest_course;  // windows
   // In thousandths of a degree. What is given and taken is per window, as the sensor feels it.
   struct Window {
     std::int32_t celsius{};
@@ -60,9 +60,10 @@ class Stillness {
   static constexpr std::size_t lasting_length = 18;
   static constexpr std::int32_t lasting_limit = 40;
 
-  const Window& window(std::size_t length, std::size_t i) const {
-    return windows_[longest - length + i];
+  static ConstValues last(const Course& course, std::size_t length) {
+    return ConstValues(course).last(length);
   }
+  void copy_last(Values course, Values answer) const;
   const LimitTable& limits() const { return is_slow_ ? slow : quick; }
   bool is_still(const Limits& limits) const;
   std::int64_t noise(std::size_t length) const;  // estimated energy in the last windows
@@ -79,7 +80,10 @@ class Stillness {
   std::size_t still_ = 0;  // in a row
   std::size_t unjudged_ = 0;  // of limits(), with the last window
   std::size_t judged_ = std::tuple_size_v<LimitTable> - 1;  // the last one of them
-  std::array<Window, longest> windows_{};
+  // By course, not by window: each loop goes over one or two of them.
+  struct Courses {
+    Course celsius{}, answer{}, given{}, taken{}, spread{};
+  } windows_;
 };
 
 }  // namespace thermal
