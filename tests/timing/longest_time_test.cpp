@@ -168,6 +168,17 @@ TEST(LongestTime, of_networks_that_are_called_adds_up) {
   networks.facts[0].most = 4;
   EXPECT_EQ(longest_time(networks).clocks, 69U);
   EXPECT_EQ(optimum_in_integers(program_of(networks)), 67);
+  // Both ways are places of an event that happens once: one case leaves out the one, one the other.
+  networks.facts.push_back({.event = 1, .most = 1});
+  networks.networks[0].entry_begins = {0, 1};
+  for (Arc& arc : networks.networks[0].arcs) arc.events = {1};
+  EXPECT_EQ(longest_time(networks).clocks, 67U);
+  networks.facts[1].most = 2;
+  EXPECT_EQ(longest_time(networks).clocks, 69U) << "it may happen on both";
+  networks.facts[1].most = 1;
+  networks.networks[0].entry_begins = {0};
+  networks.networks[1].entry_begins = {1};
+  EXPECT_EQ(longest_time(networks).clocks, 69U) << "each of several runs may have it once";
 }
 
 }  // namespace
