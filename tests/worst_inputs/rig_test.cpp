@@ -4,11 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "tests/default_machine.hpp"
 #include "tests/loaded_printer.hpp"
 
 namespace worst_inputs {
 namespace {
+
+std::vector<Slices> measured(Rig& rig, const std::vector<std::string>& inputs) {
+  std::vector<SerialInput> at_once;
+  for (const std::string& bytes : inputs) at_once.push_back({{.pause_us = 0, .bytes = bytes}});
+  return rig.measure(at_once, 2);
+}
 
 std::uint32_t of(const Slices& slices, units::Task task) {
   return slices[static_cast<std::size_t>(task)];
@@ -22,25 +31,36 @@ class RigTest : public testing::Test {
 };
 
 TEST_F(RigTest, measures_each_input_by_itself) {
-  const std::uint32_t arc = of(rig.measure({{0, "G2 X20 I10 J0.123\n"}}), units::Task::commands);
-  const std::uint32_t query = of(rig.measure({{0, "M82\n"}}), units::Task::commands);
+  const auto slices = measured(rig, {"G2 X120 I10 J0\n", "M82\n"});
+  const std::uint32_t arc = of(slices.at(0), units::Task::commands);
   EXPECT_GT(arc, 10'000U);
-  EXPECT_LT(query, arc / 2) << "what came before is forgotten";
-  EXPECT_EQ(rig.resets(), 0U);
+  EXPECT_LT(of(slices.at(1), units::Task::commands), arc / 2) << "it did not see the one before";
 }
 
 TEST_F(RigTest, measures_what_a_second_piece_of_a_line_costs) {
-  const Slices slices = rig.measure({{0, "M11"}, {5'000, "8 text\n"}});
+  const Slices slices = rig.measure({{{0, "M11"}, {5'000, "8 text\n"}}}, 1).at(0);
   EXPECT_GT(of(slices, units::Task::serial_line), 1'000U);
   EXPECT_GT(of(slices, units::Task::commands), 1'000U);
 }
 
-TEST_F(RigTest, resets_a_printer_that_has_halted_or_waits) {
-  rig.measure({{0, "M112\n"}});
-  EXPECT_EQ(rig.resets(), 1U);
-  rig.measure({{0, "G4 S1000\n"}});
-  EXPECT_EQ(rig.resets(), 2U);
-  EXPECT_GT(of(rig.measure({{0, "M118 a\n"}}), units::Task::commands), 1'000U);
+TEST_F(RigTest, waits_until_lines_are_done_where_the_input_says_so) {
+  SerialInput input;
+  for (int i = 0; i < 3; ++i) {
+    input.push_back({.pause_us = 0, .bytes = {}, .waits = i != 0});
+    for (int line = 0; line < 8; ++line) input.back().bytes += "G4 P1\n";
+  }
+  input.push_back({.pause_us = 0, .bytes = "G2 X120 I10 J0\n", .waits = true});
+  const std::uint32_t arc = of(rig.measure({input}, 1).at(0), units::Task::commands);
+  EXPECT_GT(arc, 10'000U) << "more lines at once than the printer takes would have been refused";
+  for (Piece& piece : input) piece.waits = false;
+  EXPECT_LT(of(rig.measure({input}, 1).at(0), units::Task::commands), arc / 2);
+}
+
+TEST_F(RigTest, begins_each_time_with_the_same_printer) {
+  const auto slices = measured(rig, {"G1 X3 F900\n", "M112\n", "G4 S1000\n", "M110 N5\nN9 M105*9\n",
+                                     "M92 X1\n", "G1 X3 F900\n"});
+  EXPECT_EQ(slices.front(), slices.back());
+  EXPECT_NE(slices.front(), slices.at(3));
 }
 
 }  // namespace

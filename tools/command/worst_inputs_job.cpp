@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tools/command/build.hpp"
 #include "tools/command/printer_setup.hpp"
@@ -14,6 +15,13 @@
 #include "tools/worst_inputs/search.hpp"
 
 namespace command {
+
+namespace {
+
+// The same on every machine, for the same seed is to find the same.
+constexpr std::uint64_t inputs_at_once = 64;
+
+}  // namespace
 
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 std::uint64_t inputs, std::uint64_t seed) {
@@ -31,14 +39,16 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   const machine::Description description = description_of({});
   worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
   worst_inputs::Search search(
-      seed, [&](const worst_inputs::SerialInput& input) { return rig.measure(input); },
+      seed,
+      [&](const std::vector<worst_inputs::SerialInput>& some) {
+        return rig.measure(some, std::thread::hardware_concurrency());
+      },
       worst_inputs::hard_inputs());
   while (search.inputs() < inputs) {
-    search.step();
+    search.step(std::min<std::uint64_t>(inputs - search.inputs(), inputs_at_once));
     end_if_interrupted();
   }
   found.inputs = search.inputs();
-  found.resets = rig.resets();
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     const worst_inputs::Found& worst = search.worst(task);
     found.rows[task].measured = {.longest = worst.clocks, .calls = found.inputs};
@@ -49,9 +59,9 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
 
 std::string to_text(const WorstInputs& found) {
   std::string text = timing::to_text(found.rows, tasks_clock_hz);
-  text += fmt::format(
-      "between tasks, {} clocks at most; {} inputs, {} resets; the worst input of each task:\n",
-      found.between_tasks, found.inputs, found.resets);
+  text +=
+      fmt::format("between tasks, {} clocks at most; {} inputs; the worst input of each task:\n",
+                  found.between_tasks, found.inputs);
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     text += fmt::format("{}: {}\n", found.rows[task].name, found.worst[task]);
   }
@@ -64,7 +74,6 @@ std::string to_json(const WorstInputs& found) {
     all["tasks"][task]["input"] = found.worst[task];
   }
   all["inputs"] = found.inputs;
-  all["resets"] = found.resets;
   return all.dump(2) + "\n";
 }
 

@@ -12,7 +12,6 @@ namespace command {
 
 struct WorstInputs {
   std::uint64_t inputs{};
-  std::uint64_t resets{};  // of the printer, where an input had stopped it
   std::vector<timing::TaskRow>
       rows;  // the tasks, without the pass; measured by the firmware itself
   std::vector<std::string> worst;  // by task, readable

@@ -11,8 +11,8 @@ namespace worst_inputs {
 
 namespace {
 
-constexpr std::size_t most_lines = 5, most_pieces = 8;
-constexpr std::uint32_t longest_pause_us = 20'000;
+constexpr std::size_t most_lines = 5, most_pieces = 12;
+constexpr std::uint32_t longest_pause_us = 5'000;
 constexpr std::string_view digits = "0123456789";
 
 // Borders of ranges and of numbers, and what is none.
@@ -93,8 +93,9 @@ SerialInput Breeder::random() {
   SerialInput input(1);
   for (std::size_t lines = 1 + below(most_lines); lines != 0; --lines) {
     if (one_in(4) && input.size() < most_pieces) {
-      input.push_back(
-          {.pause_us = static_cast<std::uint32_t>(below(longest_pause_us)), .bytes = {}});
+      input.push_back({.pause_us = static_cast<std::uint32_t>(below(longest_pause_us)),
+                       .bytes = {},
+                       .waits = one_in(2)});
     }
     input.back().bytes += line();
   }
@@ -160,10 +161,11 @@ void Breeder::split(SerialInput& input, std::size_t piece) {
   const auto pause = static_cast<std::uint32_t>(below(longest_pause_us));
   if (input.size() == most_pieces || one_in(3)) {
     input[piece].pause_us = one_in(3) ? 0 : pause;
+    input[piece].waits = one_in(2);
     return;
   }
   const std::size_t place = below(input[piece].bytes.size());
-  Piece behind{.pause_us = pause, .bytes = input[piece].bytes.substr(place)};
+  Piece behind{.pause_us = pause, .bytes = input[piece].bytes.substr(place), .waits = one_in(2)};
   input[piece].bytes.resize(place);
   input.insert(input.begin() + static_cast<std::ptrdiff_t>(piece) + 1, std::move(behind));
 }

@@ -38,7 +38,7 @@ class Breeder {
   std::mt19937_64 random_;
 };
 
-// Input is cut there: two of the longest lines, and what a host sends without waiting.
-inline constexpr std::size_t most_bytes = 600;
+// Input is cut there: what fills the planner's ring, and some of the longest lines.
+inline constexpr std::size_t most_bytes = 2'000;
 
 }  // namespace worst_inputs

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "host_link/line_queue.hpp"
 #include "units/text.hpp"
 
 namespace worst_inputs {
@@ -30,14 +31,23 @@ std::string lengthened(std::string_view text, char with, bool in_front) {
 
 SerialInput at_once(std::string bytes) { return {{.pause_us = 0, .bytes = std::move(bytes)}}; }
 
-// From a place that permits all of them: short moves, each in another direction.
-SerialInput moves(std::string_view feedrate) {
-  std::string bytes = "M211 S0\nG92 X100 Y100 Z50 E0\n";
-  for (int i = 0; i < 12; ++i) {
-    bytes += fmt::format("G1 X{:.3f} Y{:.3f} E{:.4f} F{}\n", 100 + 0.7 * (i % 3),
-                         100 + 0.9 * (i % 4), 0.031 * i, feedrate);
+// The smallest lines that a machine is given, as a host sends them: the planner's ring is nearly
+// full of them, and the step generator takes four at once. Behind them more lines, at once.
+SerialInput small_lines(double millimeters, int acceleration, int jerk, std::string_view behind) {
+  constexpr int count = 7 * static_cast<int>(host_link::LineQueue::capacity);
+  SerialInput input{{.pause_us = 0,
+                     .bytes = fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
+                                          "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n",
+                                          acceleration, jerk)}};
+  for (int line = 0; line < count; ++line) {
+    if (line % static_cast<int>(host_link::LineQueue::capacity) == 0) {
+      input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
+    }
+    input.back().bytes += fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
+                                      100 + millimeters * (line / 2 % 2));
   }
-  return at_once(bytes);
+  input.push_back({.pause_us = 0, .bytes = std::string(behind), .waits = true});
+  return input;
 }
 
 }  // namespace
@@ -47,6 +57,12 @@ std::vector<SerialInput> hard_inputs() {
       "G1 X123.4567891234 Y-87.6543219876 Z12.3456789123 E1234.56789123 F7654.32198765";
   constexpr std::string_view beyond =
       "G1 X99999999.999999 Y-99999999.999999 Z88888888.888888 E1 F1";
+  // From (100, 100): almost a circle, which leaves the bed.
+  constexpr std::string_view arc_beyond =
+      "G2 X100.00012345 Y99.999912345 Z12.345678912 E0.12345678 I123.00012345 J0.00012345 "
+      "F7654.32198765\n";
+  std::string arcs_beyond("G1 F18000\n");
+  for (int i = 0; i < 4; ++i) arcs_beyond += arc_beyond;
   std::vector<SerialInput> inputs{
       at_once(lengthened(move, '0', false)),
       at_once(lengthened(move, ' ', true)),
@@ -61,8 +77,12 @@ std::vector<SerialInput> hard_inputs() {
       at_once("G92 X10000000 Y-1000000000 Z-1000000000 E1000000000\nM114\nM154 S1\nM155 S1\n"),
       at_once("M211 S0\nG92 X50 Y50 Z10 E0\nG2 X70 Y50 I10 J0 E5 F9000\nG3 X50 Y50 R10 E1\n"),
       at_once("G17\nG2 X100000 Y1 I99999 J-0.0001 F1\nG3 X1 Y1 R0.0000001\n"),
-      moves("18000"),
-      moves("300"),
+      at_once("G2X99.1Y101.9Z12.3E.12R-323.000123F7654.321\n"),
+      at_once(std::string(arc_beyond)),
+      at_once("G28\n"),
+      small_lines(0.05, 3'000, 50, arcs_beyond),
+      small_lines(0.1, 20'000, 1, arcs_beyond),
+      small_lines(0.1, 100'000, 50, arcs_beyond),
       at_once("M104 S200\nM140 S60\nM106 S255\nM105\n"),
       at_once("M503\nM115\nM119\nM122\nM114\n"),
       at_once(

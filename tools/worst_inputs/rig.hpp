@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
@@ -20,30 +21,26 @@ using Slices = std::array<std::uint32_t, units::task_count + 1>;
 
 class Rig {
  public:
-  // The heaters are warm. The description must outlive the rig.
+  // The printer is homed, and its heaters are warm. The description must outlive the rig.
   Rig(const sim::ElfImage& firmware, const machine::Description& description,
       std::uint32_t clock_hz);
 
-  // The longest time of each task from the first byte of the input on, until nothing of it is left
-  // to be done, or for a while. The printer stays as it then is; after a halt, or where it would
-  // not go on soon, it is reset.
-  Slices measure(const SerialInput& input);
-
-  std::uint64_t resets() const { return resets_; }
+  // The longest time of each task from the first byte of an input on, until nothing of it is left
+  // to be done, or for a while. Each begins with the same printer, in a process of its own, so many
+  // at once. Throws what the simulation throws.
+  std::vector<Slices> measure(const std::vector<SerialInput>& inputs, unsigned at_once);
 
  private:
+  Slices run(const SerialInput& input);
   std::uint32_t word(std::uint32_t index) const;
   bool is_idle();
   void run_for(double seconds);
-  bool settle();
-  void reset();
+  void settle(int idle_looks);
 
-  const sim::ElfImage& firmware_;
   std::uint32_t statistics_;
   sim::VerilatedChip chip_;
   sim::Simulation simulation_;
   machine::Printer printer_;
-  std::uint64_t resets_ = 0;
 };
 
 }  // namespace worst_inputs

@@ -42,10 +42,11 @@ void Search::keep(const SerialInput& input, const Slices& slices) {
   }
 }
 
-void Search::step() {
-  const SerialInput input = child();
-  ++inputs_;
-  keep(input, measure_(input));
+void Search::step(std::size_t inputs) {
+  std::vector<SerialInput> children;
+  for (; children.size() < inputs; ++inputs_) children.push_back(child());
+  const std::vector<Slices> slices = measure_(children);
+  for (std::size_t i = 0; i < children.size(); ++i) keep(children[i], slices.at(i));
 }
 
 }  // namespace worst_inputs

@@ -21,14 +21,15 @@ struct Found {
 
 class Search {
  public:
-  using Measure = std::function<Slices(const SerialInput&)>;
+  // Of several inputs, in their order.
+  using Measure = std::function<std::vector<Slices>(const std::vector<SerialInput>&)>;
 
   // The first inputs are those given, in their order.
   Search(std::uint64_t seed, Measure measure, std::vector<SerialInput> first = {})
       : breeder_(seed), measure_(std::move(measure)), first_(std::move(first)) {}
 
-  // One more input.
-  void step();
+  // So many inputs more, bred of those before: what is found depends on their number.
+  void step(std::size_t inputs);
 
   std::uint64_t inputs() const { return inputs_; }
   // The worst one of a task, or of the pass; empty before the first step.

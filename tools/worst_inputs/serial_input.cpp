@@ -16,6 +16,7 @@ std::size_t bytes_of(const SerialInput& input) {
 std::string text_of(const SerialInput& input) {
   std::string text;
   for (const Piece& piece : input) {
+    if (piece.waits) text += " <done> ";
     if (piece.pause_us != 0) text += fmt::format(" <{} us> ", piece.pause_us);
     for (const char byte : piece.bytes) {
       if (byte == '\n') {

@@ -12,6 +12,7 @@ namespace worst_inputs {
 struct Piece {
   std::uint32_t pause_us{};
   std::string bytes;
+  bool waits = false;  // before the pause until all lines before are done, as a host does
 
   bool operator==(const Piece&) const = default;
 };
