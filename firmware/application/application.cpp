@@ -231,9 +231,9 @@ void Application::count(const Now& now) {
 
 // Latched until M999 or a reset. `fault` is empty for M112, which needs no reason.
 void Application::halt(std::string_view fault) {
-  units::happens<units::Event::long_work>();
   halted_ = true;
   heat_.shut_down();
+  units::happens<units::Event::long_work>();
   motion_.shut_down();
   fault_.clear();
   fault_.text(fault);

@@ -55,8 +55,8 @@ class Application {
   std::int32_t left_in_hand() const;
   void set_alarms();
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
-  void exchange_bytes(const Now& now);
-  [[gnu::noinline]] void receive(const Now& now);
+  bool exchange_bytes(const Now& now);
+  [[gnu::noinline]] bool receive(const Now& now);
   void transmit();
   void act_on_emergencies();
   void note_cooling(const Now& now);

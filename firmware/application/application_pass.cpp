@@ -53,6 +53,10 @@ bool Application::update() {
   const Now now = clock_.update(began);
   bool more = false;
   units::EventBound<units::Event::long_work, 1> works;
+  units::EventBound<units::Event::read_or_executed, 1> reads;
+  units::EventBound<units::Event::received_or_executed, 1> receives;
+  units::EventBound<units::Event::answered_or_executed, 1> answers;
+  units::EventBound<units::Event::planned_or_executed, 1> plans;
   if (halted_) {
     serve_halted(now);
     transmit();
@@ -77,16 +81,18 @@ bool Application::update() {
   return more;
 }
 
-// The rest of a round: each task in its turn, until one must wait, or one has taken long, behind
-// which the next pass goes on. True if there is more to do at once.
+// The rest of a round: each task in its turn, until one must wait, or heat has taken long; commands
+// also wait for the next pass where a task before has had work. True if there is more to do.
 bool Application::work(const Now& now) {
   if (motion_.collecting()) return true;
+  bool has_worked = false;
   switch (next_) {
     default:
       if (!may_begin(Task::serial_line)) return true;
-      run<Task::serial_line>([&] {
-        exchange_bytes(now);
+      has_worked = run<Task::serial_line>([&] {
+        const bool exchanges = exchange_bytes(now);
         act_on_emergencies();
+        return exchanges;
       });
       if (halted_) return true;
       [[fallthrough]];
@@ -113,7 +119,7 @@ bool Application::work(const Now& now) {
       [[fallthrough]];
     case Task::planning:
       if (!may_begin(Task::planning)) return true;
-      run<Task::planning>([&] { motion_.plan(now); });
+      if (run<Task::planning>([&] { return motion_.plan(now); })) has_worked = true;
       [[fallthrough]];
     case Task::reports:
       if (!may_begin(Task::reports)) return true;
@@ -121,7 +127,8 @@ bool Application::work(const Now& now) {
       if (run<Task::reports>([&] {
             const WordsBound<host_link::long_digits_of_position> words;
             return report(now);
-          })) {
+          }) ||
+          has_worked) {
         return true;
       }
       [[fallthrough]];
@@ -131,6 +138,10 @@ bool Application::work(const Now& now) {
   next_ = {};
   return run<Task::commands>([&] {
     units::happens<units::Event::long_work>();
+    units::happens<units::Event::read_or_executed>();
+    units::happens<units::Event::received_or_executed>();
+    units::happens<units::Event::answered_or_executed>();
+    units::happens<units::Event::planned_or_executed>();
     // What has come is taken first where there is room for it: it may be a line that needs no turn.
     const bool looks_first =
         hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity;

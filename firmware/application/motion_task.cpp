@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/s_curve.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -155,16 +156,22 @@ void MotionTask::update(const Now& now) {
   pace_.update(now.microseconds, step_generator_.moving());
 }
 
-void MotionTask::plan(const Now& now) {
+bool MotionTask::plan(const Now& now) {
   // All else waits for the next pass.
-  if (settle_stop(now.milliseconds)) return;
-  if (!line_is_whole()) {
-    if (planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
-  } else if (homing_.active() || probing()) {
-    lead_homing(now.milliseconds);
+  if (settle_stop(now.milliseconds)) return true;
+  const bool leads = homing_.active() || probing();
+  const bool works = line_is_whole() ? leads : planner_.has_room();
+  if (works) {
+    units::happens<units::Event::planned_or_executed>();
+    if (!line_is_whole()) {
+      levelled() ? go_on_levelled() : go_on_with_chords();
+    } else {
+      lead_homing(now.milliseconds);
+    }
   }
   pace_.set_homing(homing_.active() || probing());
   if (plan_is_done() && step_generator_.idle()) pace_.note_rest();
+  return works;
 }
 
 // After every stop what was planned is void, and the planner learns where the axes are.
@@ -173,6 +180,7 @@ bool MotionTask::settle_stop(units::Milliseconds now) {
     stopping_ = false;
     return false;
   }
+  units::happens<units::Event::planned_or_executed>();
   const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (stop.emergency_input) {
     emergency_input_ = true;

@@ -33,8 +33,8 @@ class MotionTask {
   bool start();
   // Every pass of the loop, first: the sign of life, and the time of motion.
   void update(const Now& now);
-  // Stops, chords, homing.
-  [[gnu::noinline]] void plan(const Now& now);
+  // Stops, chords, homing. True if there was one of these to be done.
+  [[gnu::noinline]] bool plan(const Now& now);
   // Hands over a line, or what of it the step generator has room for, if that is due. True if there
   // may be more.
   bool refill(units::Microseconds now);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "application/motion_task.hpp"
+#include "units/event_bound.hpp"
 
 namespace application {
 namespace {
@@ -46,6 +47,9 @@ void MotionTask::lead_homing(units::Milliseconds now) {
   if (!step_generator_.idle() || !plan_is_done() || !line_is_whole() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
   if (step_generator_.stopped() || now < rings_until_) return;
+  // Its lines begin and end at rest.
+  units::EventBound<units::Event::line_looked_at, 0> ahead;
+  units::EventBound<units::Event::lines_joined, 0> joined;
   if (probing()) return lead_probing();
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));

@@ -17,17 +17,18 @@ constexpr std::uint32_t most_bytes_said = 320;
 
 }  // namespace
 
-void Application::exchange_bytes(const Now& now) {
+// True if there were bytes of the host, or answers that were owed.
+bool Application::exchange_bytes(const Now& now) {
   units::EventBound<units::Event::byte_queued, most_bytes_said> replies;
   units::EventBound<units::Event::character_written, host_link::TextLine::capacity> characters;
   // Nor is one given up within the time of the bytes that have ended another.
   units::EventBound<units::Event::line_taken, 1> line;
-  receive(now);
+  const bool received = receive(now);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
-  link_.update(now.milliseconds, executor_.activity());
+  return link_.update(now.milliseconds, executor_.activity()) || received;
 }
 
-void Application::receive(const Now& now) {
+bool Application::receive(const Now& now) {
   units::EventBound<units::Event::byte_received, most_bytes> read;
   units::EventBound<units::Event::byte_taken, most_bytes> taken;
   std::array<char, most_bytes> bytes;
@@ -35,7 +36,8 @@ void Application::receive(const Now& now) {
   const auto [count, gap_before_last] = hardware_.uart.read_line(bytes);
   const bool emptied = count < most_bytes && !gap_before_last;
   if (hang_up_.seen(errors, gap_before_last, emptied, now.milliseconds)) link_.hang_up();
-  if (count == 0) return;
+  if (count == 0) return false;
+  units::happens<units::Event::received_or_executed>();
   std::span<const char> received(bytes.data(), count);
   if (gap_before_last && !hang_up_.explains(errors)) {
     link_.receive(received.first(count - 1), now.milliseconds);
@@ -44,6 +46,7 @@ void Application::receive(const Now& now) {
   }
   link_.receive(received, now.milliseconds);
   counters_.lines_accepted = link_.statistics().accepted;
+  return true;
 }
 
 void Application::transmit() {

@@ -150,8 +150,8 @@ static_assert([] {
   return true;
 }());
 
-// The pass ends behind these where they have had anything to do, and the next one goes on with the
-// round of tasks.
+// The pass ends behind these where they have had anything to do, behind reports also where a task
+// before has; the next one goes on with the round of tasks.
 constexpr bool ends_pass(units::Task task) {
   return task == units::Task::heat || task == units::Task::reports || task == units::Task::commands;
 }

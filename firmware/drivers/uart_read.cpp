@@ -21,24 +21,25 @@ template <bool one_line>
   char* to = bytes.data();
   char* const end = to + bytes.size();
   bool gap = false;
+  if (bytes.empty()) return {};
+  std::uint32_t word = platform::bus_read(Data::address);
+  if ((word & Data::valid_mask) == 0) return {};
+  units::happens<units::Event::read_or_executed>();
   units::LoopBound<uart_registers::receive_depth> reads;
-  for (; to != end; ++to) {
+  do {
     reads.next();
-    const std::uint32_t word = platform::bus_read(Data::address);
-    *to = static_cast<char>(word);
-    if (word - least < count) [[likely]] {
-      units::happens<units::Event::byte_received>();
-      continue;
+    units::happens<units::Event::byte_received>(word);
+    const bool is_first = to == bytes.data();
+    *to++ = static_cast<char>(word);
+    if (word - least >= count) [[unlikely]] {
+      gap = (word & Data::gap_mask) != 0;
+      if (gap || ends_line(static_cast<unsigned char>(word), is_first)) break;
     }
-    if ((word & Data::valid_mask) == 0) break;
-    units::happens<units::Event::byte_received>();
-    gap = (word & Data::gap_mask) != 0;
-    if (!gap && !ends_line(static_cast<unsigned char>(word), to == bytes.data())) continue;
-    ++to;
-    break;
-  }
+    if (to == end) break;
+    word = platform::bus_read(Data::address);
+  } while ((word & Data::valid_mask) != 0);
   const auto taken = static_cast<std::size_t>(to - bytes.data());
-  if (one_line && taken != 0) after_second_end_ = static_cast<unsigned char>(to[-1]) == second_end_;
+  if (one_line) after_second_end_ = static_cast<unsigned char>(to[-1]) == second_end_;
   return {.count = taken, .gap_before_last = gap};
 }
 

@@ -277,15 +277,16 @@ bool HostLink::finished(std::string_view report) {
   return true;
 }
 
-void HostLink::update(units::Milliseconds now, Activity activity) {
+bool HostLink::update(units::Milliseconds now, Activity activity) {
   if (activity != Activity::idle) work_goes_on();
   now_ = now;
   paused_ = activity == Activity::paused_for_user;
   end_unfinished_line();
   if (numbering_.must_ask_again(now) && !resend_owed_) request_resend(LineError::none);
   rescue_waiting_host(activity);
-  send_owed();
+  const bool answers = send_owed();
   keep_alive(activity);
+  return answers;
 }
 
 }  // namespace host_link

@@ -82,8 +82,8 @@ class HostLink {
   bool say(std::string_view line);
 
   // To be called often (every few milliseconds): time-outs, busy messages, replies that had
-  // no room.
-  void update(units::Milliseconds now, Activity activity);
+  // no room. True if replies were owed.
+  bool update(units::Milliseconds now, Activity activity);
 
   // A command that must not wait in the queue, once for each reception. Its line is queued as well
   // (marked as acted on), since the host waits for its ok.
@@ -141,7 +141,7 @@ class HostLink {
   bool put_ok(std::optional<LineNumber> number, std::string_view report);
   bool put_notice(std::size_t index);
   bool put_resend();
-  void send_owed();
+  bool send_owed();
 
   void end_unfinished_line();
   void give_up_old_line(units::Milliseconds now);

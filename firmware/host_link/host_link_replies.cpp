@@ -136,27 +136,29 @@ bool HostLink::put_resend() {
   return true;
 }
 
-void HostLink::send_owed() {
-  if (!owes_) return;
+bool HostLink::send_owed() {
+  if (!owes_) return false;
+  units::happens<units::Event::answered_or_executed>();
   // One of the notices at a time.
   bool notice_sent = false, more_notices = false;
   for (std::size_t index = 0; index < notice_count; ++index) {
     if (notices_owed_[index] == 0) continue;
     more_notices = notice_sent;
     if (notice_sent) break;
-    if (!put_notice(index)) return;
+    if (!put_notice(index)) return true;
     notice_sent = true;
   }
   // After an overrun the host is asked to go on only when half of the queue is free again.
   const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
-  if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
+  if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return true;
   units::LoopBound<most_oks> oks;
   for (std::size_t i = 0; i < most_oks && oks_owed_ != 0; ++i) {
     oks.next();
-    if (!put_ok(std::nullopt, {})) return;
+    if (!put_ok(std::nullopt, {})) return true;
     --oks_owed_;
   }
   owes_ = resend_owed_ || oks_owed_ != 0 || more_notices;
+  return true;
 }
 
 void HostLink::end_unfinished_line() {

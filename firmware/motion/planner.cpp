@@ -126,6 +126,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
     waiting_since_ = now;
   } else {
     added.max_entry = junction_energy(last_course_, course, limits());
+    units::happens<units::Event::lines_joined>();
   }
   last_course_ = course;
   planned_time_ += added.least_time();
@@ -155,6 +156,7 @@ void Planner::look_ahead() {
   units::LoopBound<capacity> backwards;
   for (; changed > settled_; --changed) {
     backwards.next();
+    units::happens<units::Event::line_looked_at>(changed);
     const SpecificEnergy entry = std::min(here->max_entry, exit + here->work);
     if (entry == here->entry && changed + fresh_ < count_) break;
     here->entry = entry;
@@ -167,6 +169,7 @@ void Planner::look_ahead() {
   units::LoopBound<capacity, 1> forwards;
   for (std::size_t i = changed + 1; i < count_; ++i) {
     forwards.next();
+    units::happens<units::Event::line_looked_at>(i);
     const SpecificEnergy reachable = here->entry + here->work;
     here = here + 1 == lines_.data() + capacity ? lines_.data() : here + 1;
     if (here->entry >= reachable) {

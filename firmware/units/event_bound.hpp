@@ -26,10 +26,16 @@ enum class Event : std::uint32_t {
   digit_written,  // of any number
   character_written,  // of a text that is put together
   looked_ahead,  // over the planner's lines
+  line_looked_at,  // by that: a line that is not the only one
+  lines_joined,  // a line to the one before
   line_begun,  // by the planner, for the step generator
   segment_made,  // likewise
   settled,  // a command: refused, or its line planned
   long_work,  // of which a pass does one: a command, heat, a report, a fault
+  read_or_executed,  // of which a pass does one: bytes from the uart, a command
+  received_or_executed,  // likewise: bytes to the host link, a command
+  answered_or_executed,  // likewise: answers that are owed, a command
+  planned_or_executed,  // likewise: a stop, a chord, homing, a command
   count
 };
 
