@@ -56,6 +56,20 @@ TEST_F(RigTest, waits_until_lines_are_done_where_the_input_says_so) {
   EXPECT_LT(of(rig.measure({input}, 1).at(0), units::Task::commands), arc / 2);
 }
 
+TEST_F(RigTest, measures_calls_clock_by_clock) {
+  timing::Program program = timing::read_program(tests::firmware_file);
+  const timing::Address parse = program.find("gcode::parse").front();
+  const timing::Address halt = program.find("Application::halt").front();
+  const auto longest = [&](const std::string& bytes) {
+    return rig.longest_calls({{.pause_us = 0, .bytes = bytes}}, program, false, {parse, halt});
+  };
+  const auto shorter = longest("M82\n"), longer = longest("G1 X101.25 F1200\n");
+  EXPECT_GT(shorter.at(0), 50U);
+  EXPECT_GT(longer.at(0), 2 * shorter.at(0));
+  EXPECT_EQ(longer.at(1), 0U) << "it was not called";
+  EXPECT_GT(longest("M112\n").at(1), 0U);
+}
+
 TEST_F(RigTest, begins_each_time_with_the_same_printer) {
   const auto slices = measured(rig, {"G1 X3 F900\n", "M112\n", "G4 S1000\n", "M110 N5\nN9 M105*9\n",
                                      "M92 X1\n", "G1 X3 F900\n"});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -20,6 +21,29 @@ namespace {
 
 // The same on every machine, for the same seed is to find the same.
 constexpr std::uint64_t inputs_at_once = 64;
+
+constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
+
+void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing::Program& program,
+                       timing::Analysis& analysis,
+                       const std::vector<worst_inputs::SerialInput>& inputs) {
+  std::vector<timing::Address> addresses;
+  for (const char* name : functions) {
+    const auto found_here = program.find(name);
+    // Of several of a name the last one: that which the others call.
+    if (found_here.empty()) continue;
+    addresses.push_back(found_here.back());
+    found.functions.push_back(
+        {.name = name, .bound = analysis.bound(addresses.back()).value_or(0), .longest = 0});
+  }
+  for (const auto& input : inputs) {
+    const auto longest = rig.longest_calls(input, program, CHIP_HAS_ZBB, addresses);
+    for (std::size_t i = 0; i < longest.size(); ++i) {
+      found.functions[i].longest = std::max(found.functions[i].longest, longest[i]);
+    }
+    end_if_interrupted();
+  }
+}
 
 }  // namespace
 
@@ -49,16 +73,24 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
     end_if_interrupted();
   }
   found.inputs = search.inputs();
+  std::vector<worst_inputs::SerialInput> watched = worst_inputs::hard_inputs();
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     const worst_inputs::Found& worst = search.worst(task);
     found.rows[task].measured = {.longest = worst.clocks, .calls = found.inputs};
     found.worst.push_back(worst_inputs::text_of(worst.input));
+    watched.push_back(worst.input);
   }
+  measure_functions(found, rig, program, analysis, watched);
   return found;
 }
 
 std::string to_text(const WorstInputs& found) {
   std::string text = timing::to_text(found.rows, tasks_clock_hz);
+  for (const auto& [name, bound, longest] : found.functions) {
+    const double ratio =
+        static_cast<double>(bound) / static_cast<double>(std::max<timing::Clocks>(longest, 1));
+    text += fmt::format("{:<45}{:>14}{:>16}{:>20.1f}\n", name, bound, longest, ratio);
+  }
   text +=
       fmt::format("between tasks, {} clocks at most; {} inputs; the worst input of each task:\n",
                   found.between_tasks, found.inputs);
@@ -72,6 +104,9 @@ std::string to_json(const WorstInputs& found) {
   auto all = nlohmann::json::parse(timing::to_json(found.rows));
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     all["tasks"][task]["input"] = found.worst[task];
+  }
+  for (const auto& [name, bound, longest] : found.functions) {
+    all["functions"].push_back({{"name", name}, {"bound", bound}, {"longest", longest}});
   }
   all["inputs"] = found.inputs;
   return all.dump(2) + "\n";

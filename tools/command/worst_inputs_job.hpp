@@ -15,12 +15,18 @@ struct WorstInputs {
   std::vector<timing::TaskRow>
       rows;  // the tasks, without the pass; measured by the firmware itself
   std::vector<std::string> worst;  // by task, readable
+  struct Function {
+    std::string name;
+    timing::Clocks bound{}, longest{};
+  };
+  // Parser and planner by themselves, in the first inputs and in the worst ones.
+  std::vector<Function> functions;
   // The firmware's measurement of a task begins where the one before has ended: it may be so much
   // longer than the task's bound.
   timing::Clocks between_tasks{};
 };
 
-// Co-simulates so many inputs, one after the other, on one printer. The same seed finds the same.
+// Co-simulates so many inputs, each with the same printer. The same seed finds the same.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 std::uint64_t inputs, std::uint64_t seed);
 

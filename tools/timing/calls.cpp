@@ -10,12 +10,12 @@ namespace timing {
 using processor::Operation;
 
 void Calls::take(const Sample& sample) {
-  if (sample.instructions > last_.instructions + 1) {
+  if (last_ && sample.instructions > last_->instructions + 1) {
     throw std::runtime_error("two instructions in a clock");
   }
-  if (sample.instructions != last_.instructions) {
+  if (last_ && sample.instructions != last_->instructions) {
     if (places_.contains(sample.program_counter)) pass_spans(sample);
-    jump(last_, sample);
+    jump(*last_, sample);
   }
   last_ = sample;
 }

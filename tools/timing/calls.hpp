@@ -25,7 +25,7 @@ class Calls {
   // Spans from a place of some to the next of others, which may be the same; under a number.
   void watch(std::uint32_t number, const std::set<Address>& begins, const std::set<Address>& ends);
 
-  // Of each clock, one after the other.
+  // Of each clock, one after the other, from any on.
   void take(const Sample& sample);
 
   const std::map<Address, Measured>& measured() const { return measured_; }
@@ -45,7 +45,7 @@ class Calls {
 
   const Program& program_;
   bool has_zbb_;
-  Sample last_;
+  std::optional<Sample> last_;
   std::vector<Frame> frames_;
   std::map<Address, Measured> measured_;
   std::uint64_t strays_ = 0;

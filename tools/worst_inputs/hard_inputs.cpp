@@ -31,13 +31,42 @@ std::string lengthened(std::string_view text, char with, bool in_front) {
 
 SerialInput at_once(std::string bytes) { return {{.pause_us = 0, .bytes = std::move(bytes)}}; }
 
-// The smallest lines that a machine is given, as a host sends them: the planner's ring is nearly
-// full of them, and the step generator takes four at once. Behind them more lines, at once.
+// Each letter with a fraction, and from the last word without a number on a text, for which the
+// parser goes back.
+std::string many_words() {
+  std::string line("M0 ");
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (std::string_view("GMNT").find(letter) == std::string_view::npos) {
+      line += fmt::format("{}.1", letter);
+    }
+  }
+  return lengthened(line, 'a', false);
+}
+
+// On and on, with so little acceleration that each line makes many before it faster; of all axes,
+// each at another angle to the one before, by this command's corners.
+SerialInput slow_lines(std::string_view corners) {
+  SerialInput input{
+      {.pause_us = 0, .bytes = fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners)}};
+  for (int line = 1; line <= 7 * static_cast<int>(host_link::LineQueue::capacity); ++line) {
+    if (line % static_cast<int>(host_link::LineQueue::capacity) == 1) {
+      input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
+    }
+    input.back().bytes +=
+        fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
+                    100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
+  }
+  return input;
+}
+
+// The smallest lines that a machine is given, as a host sends them: the step generator takes four at
+// once. Behind them more lines, at once.
 SerialInput small_lines(double millimeters, int acceleration, int jerk, std::string_view behind) {
-  constexpr int count = 7 * static_cast<int>(host_link::LineQueue::capacity);
+  constexpr int count = 3 * static_cast<int>(host_link::LineQueue::capacity);
   SerialInput input{{.pause_us = 0,
                      .bytes = fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
-                                          "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n",
+                                          "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n"
+                                          "G1 F18000\n",
                                           acceleration, jerk)}};
   for (int line = 0; line < count; ++line) {
     if (line % static_cast<int>(host_link::LineQueue::capacity) == 0) {
@@ -61,8 +90,8 @@ std::vector<SerialInput> hard_inputs() {
   constexpr std::string_view arc_beyond =
       "G2 X100.00012345 Y99.999912345 Z12.345678912 E0.12345678 I123.00012345 J0.00012345 "
       "F7654.32198765\n";
-  std::string arcs_beyond("G1 F18000\n");
-  for (int i = 0; i < 4; ++i) arcs_beyond += arc_beyond;
+  std::string arcs_beyond;
+  for (int i = 0; i < 5; ++i) arcs_beyond += arc_beyond;
   std::vector<SerialInput> inputs{
       at_once(lengthened(move, '0', false)),
       at_once(lengthened(move, ' ', true)),
@@ -80,9 +109,12 @@ std::vector<SerialInput> hard_inputs() {
       at_once("G2X99.1Y101.9Z12.3E.12R-323.000123F7654.321\n"),
       at_once(std::string(arc_beyond)),
       at_once("G28\n"),
-      small_lines(0.05, 3'000, 50, arcs_beyond),
+      at_once(many_words()),
+      slow_lines("X30 Y30 Z5 E20"),
+      slow_lines("J0.02"),
+      small_lines(0.08, 20'000, 5, arcs_beyond),
       small_lines(0.1, 20'000, 1, arcs_beyond),
-      small_lines(0.1, 100'000, 50, arcs_beyond),
+      small_lines(0.12, 20'000, 1, arcs_beyond),
       at_once("M104 S200\nM140 S60\nM106 S255\nM105\n"),
       at_once("M503\nM115\nM119\nM122\nM114\n"),
       at_once(

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstring>
 #include <deque>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "application/statistics.hpp"
 #include "tools/process/branch.hpp"
+#include "tools/timing/calls.hpp"
 
 namespace worst_inputs {
 
@@ -80,7 +82,12 @@ bool Rig::is_idle() {
 }
 
 void Rig::run_for(double seconds) {
-  simulation_.run_until(simulation_.now() + simulation_.rate().clocks(seconds));
+  const sim::Clock end = simulation_.now() + simulation_.rate().clocks(seconds);
+  if (!each_clock_) simulation_.run_until(end);
+  while (simulation_.now() < end) {
+    simulation_.run_until(simulation_.now() + 1);
+    each_clock_();
+  }
 }
 
 // Until all lines are done, in so many looks one after the other, for what may follow them.
@@ -110,6 +117,26 @@ std::vector<Slices> Rig::measure(const std::vector<SerialInput>& inputs, unsigne
   }
   while (!under_way.empty()) collect();
   return measured;
+}
+
+std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& input,
+                                              const timing::Program& program, bool has_zbb,
+                                              const std::vector<timing::Address>& functions) {
+  process::Branch branch([&] {
+    timing::Calls calls(program, has_zbb);
+    each_clock_ = [&] { calls.take(timing::sample_of(chip_.processor_statistics())); };
+    run(input);
+    std::string text;
+    for (const timing::Address function : functions) {
+      const auto found = calls.measured().find(function);
+      text += std::to_string(found == calls.measured().end() ? 0 : found->second.longest) + ' ';
+    }
+    return text;
+  });
+  std::istringstream text(branch.result());
+  std::vector<std::uint64_t> longest(functions.size());
+  for (std::uint64_t& clocks : longest) text >> clocks;
+  return longest;
 }
 
 Slices Rig::run(const SerialInput& input) {

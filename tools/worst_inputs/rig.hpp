@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tools/timing/program.hpp"
 #include "tools/worst_inputs/serial_input.hpp"
 #include "units/task_span.hpp"
 
@@ -29,6 +31,11 @@ class Rig {
   // to be done, or for a while. Each begins with the same printer, in a process of its own, so many
   // at once. Throws what the simulation throws.
   std::vector<Slices> measure(const std::vector<SerialInput>& inputs, unsigned at_once);
+  // The longest call of each of these functions in an input, in clocks, 0 without one. It is looked
+  // at clock by clock, which takes longer.
+  std::vector<std::uint64_t> longest_calls(const SerialInput& input, const timing::Program& program,
+                                           bool has_zbb,
+                                           const std::vector<timing::Address>& functions);
 
  private:
   Slices run(const SerialInput& input);
@@ -38,6 +45,7 @@ class Rig {
   void settle(int idle_looks);
 
   std::uint32_t statistics_;
+  std::function<void()> each_clock_;  // where it is set, called behind each one
   sim::VerilatedChip chip_;
   sim::Simulation simulation_;
   machine::Printer printer_;
