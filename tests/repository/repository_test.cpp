@@ -181,7 +181,7 @@ TEST(repository, the_firmware_logic_includes_no_hardware) {
 
 // tools/timing relies on it: whatever else the program accesses lies in memory.
 TEST(repository, the_firmware_makes_pointers_of_numbers_in_one_place) {
-  const std::regex cast(R"(reinterpret_cast<[^>]*\*>)");
+  const std::regex cast(R"((reinterpret|bit)_cast<[^;]*\*\s*>\s*\()");
   const std::set<std::string> of_pointers{"firmware/boot_loader/main.cpp",
                                           "firmware/platform/memory.cpp"};
   std::set<std::string> found;

@@ -176,6 +176,8 @@ TEST(LongestTime, of_networks_that_are_called_adds_up) {
   networks.facts[1].most = 2;
   EXPECT_EQ(longest_time(networks).clocks, 69U) << "it may happen on both";
   networks.facts[1].most = 1;
+  networks.networks[0].entry_begins = {0, 1, 1};
+  EXPECT_EQ(longest_time(networks).clocks, 69U) << "there are two runs";
   networks.networks[0].entry_begins = {0};
   networks.networks[1].entry_begins = {1};
   EXPECT_EQ(longest_time(networks).clocks, 69U) << "each of several runs may have it once";

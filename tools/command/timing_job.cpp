@@ -77,10 +77,7 @@ int search(const timing::Program& program, const timing::Costs& costs,
            const TimingOptions& options) {
   const WorstInputs found = search_worst_inputs(program, costs, options.inputs, options.seed);
   say("{}", options.json ? to_json(found) : to_text(found));
-  const bool holds = std::ranges::all_of(found.rows, [&](const timing::TaskRow& row) {
-    return row.bound && row.measured.longest <= *row.bound + found.between_tasks;
-  });
-  return holds ? success : failure;
+  return holds(found) ? success : failure;
 }
 
 int schedule_of(const timing::Program& program, const timing::Costs& costs, bool json) {

@@ -29,12 +29,10 @@ void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing:
                        const std::vector<worst_inputs::SerialInput>& inputs) {
   std::vector<timing::Address> addresses;
   for (const char* name : functions) {
-    const auto found_here = program.find(name);
-    // Of several of a name the last one: that which the others call.
-    if (found_here.empty()) continue;
-    addresses.push_back(found_here.back());
-    found.functions.push_back(
-        {.name = name, .bound = analysis.bound(addresses.back()).value_or(0), .longest = 0});
+    for (const timing::Address address : program.find(name)) {
+      addresses.push_back(address);
+      found.functions.push_back({.name = name, .bound = analysis.bound(address), .longest = 0});
+    }
   }
   for (const auto& input : inputs) {
     const auto longest = rig.longest_calls(input, program, CHIP_HAS_ZBB, addresses);
@@ -84,12 +82,25 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   return found;
 }
 
+bool holds(const WorstInputs& found) {
+  const auto task_holds = [&](const timing::TaskRow& row) {
+    return row.bound && row.measured.longest <= *row.bound + found.between_tasks;
+  };
+  const auto function_holds = [](const WorstInputs::Function& function) {
+    return function.bound && function.longest <= *function.bound;
+  };
+  return std::ranges::all_of(found.rows, task_holds) &&
+         found.functions.size() >= functions.size() &&
+         std::ranges::all_of(found.functions, function_holds);
+}
+
 std::string to_text(const WorstInputs& found) {
   std::string text = timing::to_text(found.rows, tasks_clock_hz);
   for (const auto& [name, bound, longest] : found.functions) {
-    const double ratio =
-        static_cast<double>(bound) / static_cast<double>(std::max<timing::Clocks>(longest, 1));
-    text += fmt::format("{:<45}{:>14}{:>16}{:>20.1f}\n", name, bound, longest, ratio);
+    const auto clocks = static_cast<double>(bound.value_or(0));
+    const double ratio = clocks / static_cast<double>(std::max<timing::Clocks>(longest, 1));
+    text += fmt::format("{:<45}{:>14}{:>16}{:>20.1f}\n", name,
+                        bound ? std::to_string(*bound) : "none", longest, ratio);
   }
   text +=
       fmt::format("between tasks, {} clocks at most; {} inputs; the worst input of each task:\n",
@@ -106,7 +117,8 @@ std::string to_json(const WorstInputs& found) {
     all["tasks"][task]["input"] = found.worst[task];
   }
   for (const auto& [name, bound, longest] : found.functions) {
-    all["functions"].push_back({{"name", name}, {"bound", bound}, {"longest", longest}});
+    all["functions"].push_back(
+        {{"name", name}, {"bound", bound.value_or(0)}, {"longest", longest}});
   }
   all["inputs"] = found.inputs;
   return all.dump(2) + "\n";

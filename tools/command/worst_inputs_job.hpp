@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,12 @@ namespace command {
 
 struct WorstInputs {
   std::uint64_t inputs{};
-  std::vector<timing::TaskRow>
-      rows;  // the tasks, without the pass; measured by the firmware itself
+  std::vector<timing::TaskRow> rows;  // the tasks, then the pass; measured by the firmware itself
   std::vector<std::string> worst;  // by task, readable
   struct Function {
     std::string name;
-    timing::Clocks bound{}, longest{};
+    std::optional<timing::Clocks> bound;
+    timing::Clocks longest{};
   };
   // Parser and planner by themselves, in the first inputs and in the worst ones.
   std::vector<Function> functions;
@@ -25,6 +26,9 @@ struct WorstInputs {
   // longer than the task's bound.
   timing::Clocks between_tasks{};
 };
+
+// Whether nothing took longer than its bound, and all has one.
+bool holds(const WorstInputs& found);
 
 // Co-simulates so many inputs, each with the same printer. The same seed finds the same.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,

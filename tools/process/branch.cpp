@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/process/branch.hpp"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,6 +45,7 @@ std::string outcome(const std::function<std::string()>& work) {
 Branch::Branch(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  const pid_t parent = getpid();
   id_ = fork();
   if (id_ < 0) {
     const int error = errno;
@@ -53,6 +55,9 @@ Branch::Branch(const std::function<std::string()>& work) {
   }
   if (id_ == 0) {
     close(ends[0]);
+    // Also where this process is killed.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(0);
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     write_all(ends[1], outcome(work));

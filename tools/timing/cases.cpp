@@ -12,8 +12,12 @@ namespace {
 // Of a solution in floating point: less is nothing.
 constexpr double least = 1e-6;
 
+std::size_t times(const std::vector<std::size_t>& facts, std::size_t fact) {
+  return static_cast<std::size_t>(std::ranges::count(facts, fact));
+}
+
 bool holds(const std::vector<std::size_t>& facts, std::size_t fact) {
-  return std::ranges::find(facts, fact) != facts.end();
+  return times(facts, fact) != 0;
 }
 
 bool lies_in_loop(const Network& network, const Arc& arc) {
@@ -26,10 +30,9 @@ bool begins_once(const Networks& networks, std::size_t fact) {
   std::size_t once = 0, often = 0;
   for (std::size_t i = 0; i < networks.networks.size(); ++i) {
     const Network& network = networks.networks[i];
-    if (holds(network.entry_begins, fact)) ++(i == 0 ? once : often);
+    (i == 0 ? once : often) += times(network.entry_begins, fact);
     for (const Arc& arc : network.arcs) {
-      if (!holds(arc.begins, fact)) continue;
-      ++(i == 0 && !lies_in_loop(network, arc) ? once : often);
+      (i == 0 && !lies_in_loop(network, arc) ? once : often) += times(arc.begins, fact);
     }
   }
   return once == 1 && often == 0;
@@ -59,10 +62,9 @@ struct Places {
 Places places_of(const Networks& networks, std::size_t fact, const std::vector<double>& passes) {
   Places places;
   for_each_arc(networks, [&](const std::vector<std::size_t>& events, std::size_t arc) {
-    const auto times = std::ranges::count(events, fact);
-    if (times == 0 || passes[arc] < least) return;
+    if (!holds(events, fact) || passes[arc] < least) return;
     ++places.count;
-    if (times > 1) places.twice = arc;
+    if (times(events, fact) > 1) places.twice = arc;
     if (!places.most || passes[arc] > passes[*places.most]) places.most = arc;
   });
   return places;

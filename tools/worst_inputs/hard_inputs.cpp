@@ -59,8 +59,8 @@ SerialInput slow_lines(std::string_view corners) {
   return input;
 }
 
-// The smallest lines that a machine is given, as a host sends them: the step generator takes four at
-// once. Behind them more lines, at once.
+// The smallest lines that a machine is given, as a host sends them: the step generator takes four
+// at once. Behind them more lines, without waiting.
 SerialInput small_lines(double millimeters, int acceleration, int jerk, std::string_view behind) {
   constexpr int count = 3 * static_cast<int>(host_link::LineQueue::capacity);
   SerialInput input{{.pause_us = 0,

@@ -29,7 +29,7 @@ class Rig {
 
   // The longest time of each task from the first byte of an input on, until nothing of it is left
   // to be done, or for a while. Each begins with the same printer, in a process of its own, so many
-  // at once. Throws what the simulation throws.
+  // at once. Throws std::runtime_error with what the simulation has thrown.
   std::vector<Slices> measure(const std::vector<SerialInput>& inputs, unsigned at_once);
   // The longest call of each of these functions in an input, in clocks, 0 without one. It is looked
   // at clock by clock, which takes longer.
