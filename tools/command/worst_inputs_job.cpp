@@ -117,8 +117,9 @@ std::string to_json(const WorstInputs& found) {
     all["tasks"][task]["input"] = found.worst[task];
   }
   for (const auto& [name, bound, longest] : found.functions) {
-    all["functions"].push_back(
-        {{"name", name}, {"bound", bound.value_or(0)}, {"longest", longest}});
+    all["functions"].push_back({{"name", name},
+                                {"bound", bound ? nlohmann::json(*bound) : nlohmann::json(nullptr)},
+                                {"longest", longest}});
   }
   all["inputs"] = found.inputs;
   return all.dump(2) + "\n";

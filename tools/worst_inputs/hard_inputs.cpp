@@ -43,38 +43,41 @@ std::string many_words() {
   return lengthened(line, 'a', false);
 }
 
+// As a host sends them: no more at once than the printer takes.
+template <class Line>
+void send_in_turn(SerialInput& input, int count, Line line) {
+  constexpr int at_once = static_cast<int>(host_link::LineQueue::capacity);
+  for (int i = 0; i < count; ++i) {
+    if (i % at_once == 0) input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
+    input.back().bytes += line(i);
+  }
+}
+
 // On and on, with so little acceleration that each line makes many before it faster; of all axes,
 // each at another angle to the one before, by this command's corners.
 SerialInput slow_lines(std::string_view corners) {
   SerialInput input{
       {.pause_us = 0, .bytes = fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners)}};
-  for (int line = 1; line <= 7 * static_cast<int>(host_link::LineQueue::capacity); ++line) {
-    if (line % static_cast<int>(host_link::LineQueue::capacity) == 1) {
-      input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
-    }
-    input.back().bytes +=
-        fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
-                    100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
-  }
+  send_in_turn(input, 56, [](int i) {
+    const int line = i + 1;
+    return fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
+                       100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
+  });
   return input;
 }
 
 // The smallest lines that a machine is given, as a host sends them: the step generator takes four
 // at once. Behind them more lines, without waiting.
 SerialInput small_lines(double millimeters, int acceleration, int jerk, std::string_view behind) {
-  constexpr int count = 3 * static_cast<int>(host_link::LineQueue::capacity);
   SerialInput input{{.pause_us = 0,
                      .bytes = fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
                                           "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n"
                                           "G1 F18000\n",
                                           acceleration, jerk)}};
-  for (int line = 0; line < count; ++line) {
-    if (line % static_cast<int>(host_link::LineQueue::capacity) == 0) {
-      input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
-    }
-    input.back().bytes += fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
-                                      100 + millimeters * (line / 2 % 2));
-  }
+  send_in_turn(input, 24, [millimeters](int line) {
+    return fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
+                       100 + millimeters * (line / 2 % 2));
+  });
   input.push_back({.pause_us = 0, .bytes = std::string(behind), .waits = true});
   return input;
 }
