@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/default_machine.hpp"
 #include "tests/loaded_printer.hpp"
+#include "tools/worst_inputs/starts.hpp"
 
 namespace worst_inputs {
 namespace {
@@ -16,7 +19,7 @@ namespace {
 std::vector<Slices> measured(Rig& rig, const std::vector<std::string>& inputs) {
   std::vector<SerialInput> at_once;
   for (const std::string& bytes : inputs) at_once.push_back({{.pause_us = 0, .bytes = bytes}});
-  return rig.measure(at_once, 2);
+  return rig.measure({}, at_once, 2);
 }
 
 std::uint32_t of(const Slices& slices, units::Task task) {
@@ -38,7 +41,7 @@ TEST_F(RigTest, measures_each_input_by_itself) {
 }
 
 TEST_F(RigTest, measures_what_a_second_piece_of_a_line_costs) {
-  const Slices slices = rig.measure({{{0, "M11"}, {5'000, "8 text\n"}}}, 1).at(0);
+  const Slices slices = rig.measure({}, {{{0, "M11"}, {5'000, "8 text\n"}}}, 1).at(0);
   EXPECT_GT(of(slices, units::Task::serial_line), 1'000U);
   EXPECT_GT(of(slices, units::Task::commands), 1'000U);
 }
@@ -50,10 +53,10 @@ TEST_F(RigTest, waits_until_lines_are_done_where_the_input_says_so) {
     for (int line = 0; line < 8; ++line) input.back().bytes += "G4 P1\n";
   }
   input.push_back({.pause_us = 0, .bytes = "G2 X120 I10 J0\n", .waits = true});
-  const std::uint32_t arc = of(rig.measure({input}, 1).at(0), units::Task::commands);
+  const std::uint32_t arc = of(rig.measure({}, {input}, 1).at(0), units::Task::commands);
   EXPECT_GT(arc, 10'000U) << "more lines at once than the printer takes would have been refused";
   for (Piece& piece : input) piece.waits = false;
-  EXPECT_LT(of(rig.measure({input}, 1).at(0), units::Task::commands), arc / 2);
+  EXPECT_LT(of(rig.measure({}, {input}, 1).at(0), units::Task::commands), arc / 2);
 }
 
 TEST_F(RigTest, measures_calls_clock_by_clock) {
@@ -61,7 +64,7 @@ TEST_F(RigTest, measures_calls_clock_by_clock) {
   const timing::Address parse = program.find("gcode::parse").front();
   const timing::Address halt = program.find("Application::halt").front();
   const auto longest = [&](const std::string& bytes) {
-    return rig.longest_calls({{.pause_us = 0, .bytes = bytes}}, program, false, {parse, halt});
+    return rig.longest_calls({}, {{.pause_us = 0, .bytes = bytes}}, program, false, {parse, halt});
   };
   const auto shorter = longest("M82\n"), longer = longest("G1 X101.25 F1200\n");
   EXPECT_GT(shorter.at(0), 50U);
@@ -75,6 +78,45 @@ TEST_F(RigTest, begins_each_time_with_the_same_printer) {
                                      "M92 X1\n", "G1 X3 F900\n"});
   EXPECT_EQ(slices.front(), slices.back());
   EXPECT_NE(slices.front(), slices.at(3));
+}
+
+// What has been measured is of the input alone.
+TEST_F(RigTest, measures_behind_a_start) {
+  const SerialInput at_once{{.pause_us = 0, .bytes = "G2 X120 I10 J0\n"}};
+  const SerialInput dwell{{.pause_us = 0, .bytes = "G4 S1000\n"}};
+  const auto commands = [&](const SerialInput& start, const SerialInput& input) {
+    return of(rig.measure(start, {input}, 1).at(0), units::Task::commands);
+  };
+  const std::uint32_t arc = commands({}, at_once);
+  EXPECT_GT(arc, 10'000U);
+  EXPECT_LT(commands(dwell, at_once), arc / 2) << "it waits behind the dwell";
+  SerialInput done = at_once;
+  done.push_back({.pause_us = 0, .bytes = {}, .waits = true});
+  EXPECT_LT(commands(done, {{.pause_us = 0, .bytes = "M82\n"}}), arc / 2) << "taken over";
+  EXPECT_EQ(commands({}, at_once), arc) << "a start leaves nothing behind";
+}
+
+TEST_F(RigTest, has_each_start_in_the_state_that_it_names) {
+  const std::vector<SerialInput> end{{{.pause_us = 0, .bytes = "M400\n"}}};
+  std::map<std::string_view, Slices> slices;
+  for (const Start& start : starts()) slices[start.name] = rig.measure(start.input, end, 1).at(0);
+  const auto refill = [&](std::string_view name) {
+    return of(slices.at(name), units::Task::refill);
+  };
+  for (const char* moves : {"an arc", "small lines, large jerk", "small lines",
+                            "small lines, a little longer"}) {
+    EXPECT_GT(refill(moves), 5 * refill("at rest")) << moves;
+  }
+  const auto arc = [&](const SerialInput& start) {
+    return of(rig.measure(start, {{{.pause_us = 0, .bytes = "G2 X120 I10 J0\n"}}}, 1).at(0),
+              units::Task::commands);
+  };
+  for (const Start& start : starts()) {
+    if (!start.name.starts_with("slow lines")) continue;
+    EXPECT_LT(arc(start.input), arc({}) / 2) << start.name << ": there is room for more";
+  }
+  EXPECT_GT(of(slices.at("reports that are due"), units::Task::reports),
+            5 * of(slices.at("at rest"), units::Task::reports));
 }
 
 }  // namespace

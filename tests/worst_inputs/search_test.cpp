@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <set>
@@ -42,7 +44,7 @@ Slices of_digits_and_pauses(const SerialInput& input) {
 
 template <class Measure>
 Search::Measure of_each(Measure measure) {
-  return [measure](const std::vector<SerialInput>& inputs) {
+  return [measure](std::size_t, const std::vector<SerialInput>& inputs) {
     std::vector<Slices> slices;
     for (const SerialInput& input : inputs) slices.push_back(measure(input));
     return slices;
@@ -51,7 +53,7 @@ Search::Measure of_each(Measure measure) {
 
 TEST(Search, finds_worse_inputs_than_chance) {
   constexpr int steps = 3'000;
-  Search search(1, of_each(of_digits_and_pauses));
+  Search search(1, 1, of_each(of_digits_and_pauses));
   Breeder chance(1);
   std::uint32_t by_chance = 0, pauses_by_chance = 0;
   for (int i = 0; i < steps; ++i) {
@@ -68,7 +70,7 @@ TEST(Search, finds_worse_inputs_than_chance) {
 
 TEST(Search, is_the_same_with_the_same_seed) {
   const auto measure = of_each(of_digits_and_pauses);
-  Search one(7, measure), same(7, measure), other(8, measure);
+  Search one(7, 2, measure), same(7, 2, measure), other(8, 2, measure);
   for (int i = 0; i < 200; ++i) {
     for (Search* search : {&one, &same, &other}) search->step(1);
   }
@@ -78,7 +80,7 @@ TEST(Search, is_the_same_with_the_same_seed) {
 
 TEST(Search, keeps_the_worst_of_each_task) {
   std::uint32_t calls = 0, longest = 0;
-  Search search(1, of_each([&](const SerialInput&) {
+  Search search(1, 1, of_each([&](const SerialInput&) {
                   Slices slices{};
                   slices[3] = ++calls * 7'919 % 1'000;
                   longest = std::max(longest, slices[3]);
@@ -92,17 +94,48 @@ TEST(Search, keeps_the_worst_of_each_task) {
 
 TEST(Search, begins_with_the_inputs_that_it_is_given) {
   const std::vector<SerialInput> hard = hard_inputs();
-  std::vector<SerialInput> tried;
-  Search search(1, of_each([&](const SerialInput& input) {
-                  tried.push_back(input);
-                  return Slices{};
-                }),
-                hard);
-  search.step(3);
-  search.step(hard.size() + 2);
-  EXPECT_TRUE(std::ranges::equal(std::span(tried).first(hard.size()), hard));
-  EXPECT_EQ(tried.size(), hard.size() + 5);
+  std::array<std::vector<SerialInput>, 2> tried;
+  Search search(
+      1, 2,
+      [&](std::size_t start, const std::vector<SerialInput>& inputs) {
+        tried.at(start).insert(tried.at(start).end(), inputs.begin(), inputs.end());
+        return std::vector<Slices>(inputs.size());
+      },
+      hard);
+  for (const std::size_t inputs : {std::size_t{3}, std::size_t{5}, hard.size(), hard.size()}) {
+    search.step(inputs);
+  }
+  for (const auto& behind_one : tried) {
+    EXPECT_TRUE(std::ranges::equal(std::span(behind_one).first(hard.size()), hard));
+  }
+  EXPECT_EQ(tried[0].size() + tried[1].size(), 2 * hard.size() + 8);
   for (const SerialInput& input : hard) EXPECT_LE(bytes_of(input), most_bytes) << text_of(input);
+}
+
+// As if it took long for pauses behind one start, and for digits behind the other.
+TEST(Search, breeds_for_each_start_by_itself) {
+  std::vector<std::size_t> behind;
+  Search search(1, 3, [&](std::size_t start, const std::vector<SerialInput>& inputs) {
+    behind.push_back(start);
+    std::vector<Slices> all;
+    for (const SerialInput& input : inputs) {
+      Slices slices = of_digits_and_pauses(input);
+      if (start == 1) slices.front() = slices.back();
+      if (start == 2) slices.front() = 0;
+      all.push_back(slices);
+    }
+    return all;
+  });
+  for (int i = 0; i < 300; ++i) search.step(8);
+  EXPECT_EQ(search.inputs(), 2'400U);
+  EXPECT_TRUE(std::ranges::equal(std::span(behind).first(4), std::vector<std::size_t>{0, 1, 2, 0}));
+  const auto measured = [](const Found& found) { return of_digits_and_pauses(found.input); };
+  EXPECT_EQ(measured(search.worst(0, 0)).front(), search.worst(0, 0).clocks);
+  EXPECT_EQ(measured(search.worst(0, 1)).back(), search.worst(0, 1).clocks);
+  EXPECT_EQ(search.worst(0, 2).clocks, 0U);
+  const Found& worst = search.worst(0);
+  EXPECT_EQ(worst.clocks, std::max(search.worst(0, 0).clocks, search.worst(0, 1).clocks));
+  EXPECT_EQ(worst.clocks, search.worst(0, worst.start).clocks);
 }
 
 TEST(Breeder, keeps_to_the_longest_input_and_reaches_every_command) {

@@ -53,6 +53,7 @@ void add_options(CLI::App& app, TimingOptions& options) {
 A function without a bound is listed with the place, the reason and a remedy.
 --tasks also adds up the clocks that the analysis gives to each instruction, and compares the sum
 with mcycle.
+--search shows its progress; Ctrl-C ends it with what it has found so far.
 
 Exit status: 0 every function named has a bound, or none was named; 1 one has none, a task took
 longer than its bound or its budget, an instruction took other clocks than the analysis says, or

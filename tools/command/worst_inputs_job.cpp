@@ -10,23 +10,34 @@
 
 #include "tools/command/build.hpp"
 #include "tools/command/printer_setup.hpp"
+#include "tools/command/progress.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/task_times.hpp"
 #include "tools/worst_inputs/hard_inputs.hpp"
 #include "tools/worst_inputs/search.hpp"
+#include "tools/worst_inputs/starts.hpp"
 
 namespace command {
 
 namespace {
 
-// The same on every machine, for the same seed is to find the same.
-constexpr std::uint64_t inputs_at_once = 64;
+// Of a generation. The same on every machine, for the same seed is to find the same.
+constexpr std::uint64_t inputs_at_once = 128;
 
 constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
 
+// What is looked at clock by clock.
+struct Watched {
+  worst_inputs::SerialInput start, input;
+};
+
+bool holds(const timing::TaskRow& row, timing::Clocks between_tasks, timing::Clocks longest) {
+  return row.bound && longest <= *row.bound + between_tasks;
+}
+
 void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing::Program& program,
                        timing::Analysis& analysis,
-                       const std::vector<worst_inputs::SerialInput>& inputs) {
+                       const std::vector<Watched>& inputs) {
   std::vector<timing::Address> addresses;
   for (const char* name : functions) {
     for (const timing::Address address : program.find(name)) {
@@ -34,12 +45,11 @@ void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing:
       found.functions.push_back({.name = name, .bound = analysis.bound(address), .longest = 0});
     }
   }
-  for (const auto& input : inputs) {
-    const auto longest = rig.longest_calls(input, program, CHIP_HAS_ZBB, addresses);
+  for (const auto& [start, input] : inputs) {
+    const auto longest = rig.longest_calls(start, input, program, CHIP_HAS_ZBB, addresses);
     for (std::size_t i = 0; i < longest.size(); ++i) {
       found.functions[i].longest = std::max(found.functions[i].longest, longest[i]);
     }
-    end_if_interrupted();
   }
 }
 
@@ -60,23 +70,40 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   const sim::ElfImage firmware = sim::read_elf(build_folder() / "firmware" / "firmware.elf");
   const machine::Description description = description_of({});
   worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
+  const std::vector<worst_inputs::Start> starts = worst_inputs::starts();
+  const std::vector<worst_inputs::SerialInput> first = worst_inputs::hard_inputs();
   worst_inputs::Search search(
-      seed,
-      [&](const std::vector<worst_inputs::SerialInput>& some) {
-        return rig.measure(some, std::thread::hardware_concurrency());
+      seed, starts.size(),
+      [&](std::size_t start, const std::vector<worst_inputs::SerialInput>& some) {
+        return rig.measure(starts[start].input, some, std::thread::hardware_concurrency());
       },
-      worst_inputs::hard_inputs());
-  while (search.inputs() < inputs) {
+      first);
+  const auto all_hold = [&] {
+    for (std::size_t task = 0; task < found.rows.size(); ++task) {
+      if (!holds(found.rows[task], found.between_tasks, search.worst(task).clocks)) return false;
+    }
+    return true;
+  };
+  Progress progress;
+  do {
     search.step(std::min<std::uint64_t>(inputs - search.inputs(), inputs_at_once));
-    end_if_interrupted();
-  }
+    if (progress.due()) {
+      progress.show_text(fmt::format("{} of {} inputs; the longest pass {} clocks",
+                                     search.inputs(), inputs,
+                                     search.worst(worst_inputs::pass_place).clocks));
+    }
+  } while (search.inputs() < inputs && all_hold() && !interrupt_requested());
+  progress.finish();
   found.inputs = search.inputs();
-  std::vector<worst_inputs::SerialInput> watched = worst_inputs::hard_inputs();
+  std::vector<Watched> watched;
+  for (const auto& input : first) watched.push_back({starts.front().input, input});
+  for (const auto& start : starts) watched.push_back({starts.front().input, start.input});
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     const worst_inputs::Found& worst = search.worst(task);
+    const worst_inputs::Start& start = starts[worst.start];
     found.rows[task].measured = {.longest = worst.clocks, .calls = found.inputs};
-    found.worst.push_back(worst_inputs::text_of(worst.input));
-    watched.push_back(worst.input);
+    found.worst.push_back({start.name, worst_inputs::text_of(worst.input)});
+    watched.push_back({start.input, worst.input});
   }
   measure_functions(found, rig, program, analysis, watched);
   return found;
@@ -84,7 +111,7 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
 
 bool holds(const WorstInputs& found) {
   const auto task_holds = [&](const timing::TaskRow& row) {
-    return row.bound && row.measured.longest <= *row.bound + found.between_tasks;
+    return holds(row, found.between_tasks, row.measured.longest);
   };
   const auto function_holds = [](const WorstInputs::Function& function) {
     return function.bound && function.longest <= *function.bound;
@@ -106,7 +133,8 @@ std::string to_text(const WorstInputs& found) {
       fmt::format("between tasks, {} clocks at most; {} inputs; the worst input of each task:\n",
                   found.between_tasks, found.inputs);
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
-    text += fmt::format("{}: {}\n", found.rows[task].name, found.worst[task]);
+    text += fmt::format("{}: [{}] {}\n", found.rows[task].name, found.worst[task].start,
+                        found.worst[task].input);
   }
   return text;
 }
@@ -114,7 +142,8 @@ std::string to_text(const WorstInputs& found) {
 std::string to_json(const WorstInputs& found) {
   auto all = nlohmann::json::parse(timing::to_json(found.rows));
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
-    all["tasks"][task]["input"] = found.worst[task];
+    all["tasks"][task]["start"] = found.worst[task].start;
+    all["tasks"][task]["input"] = found.worst[task].input;
   }
   for (const auto& [name, bound, longest] : found.functions) {
     all["functions"].push_back({{"name", name},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/timing/tasks.hpp"
@@ -14,7 +15,11 @@ namespace command {
 struct WorstInputs {
   std::uint64_t inputs{};
   std::vector<timing::TaskRow> rows;  // the tasks, then the pass; measured by the firmware itself
-  std::vector<std::string> worst;  // by task, readable
+  struct Input {
+    std::string_view start;  // what the printer was doing
+    std::string input;  // readable
+  };
+  std::vector<Input> worst;  // by task
   struct Function {
     std::string name;
     std::optional<timing::Clocks> bound;
@@ -30,7 +35,8 @@ struct WorstInputs {
 // Whether nothing took longer than its bound, and all has one.
 bool holds(const WorstInputs& found);
 
-// Co-simulates so many inputs, each with the same printer. The same seed finds the same.
+// Co-simulates so many inputs, or fewer where one takes longer than a bound or the user interrupts it.
+// The same seed finds the same. Shows its progress.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 std::uint64_t inputs, std::uint64_t seed);
 

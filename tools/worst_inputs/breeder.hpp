@@ -29,6 +29,7 @@ class Breeder {
   std::string line();
   std::string number();
   std::string long_number();
+  std::uint32_t pause();
   void change(SerialInput& input);
   void change_number(std::string& bytes);
   void change_line(std::string& bytes);
@@ -38,7 +39,7 @@ class Breeder {
   std::mt19937_64 random_;
 };
 
-// Input is cut there: what fills the planner's ring, and some of the longest lines.
-inline constexpr std::size_t most_bytes = 2'000;
+// Input is cut there: some of the longest lines.
+inline constexpr std::size_t most_bytes = 500;
 
 }  // namespace worst_inputs

@@ -5,8 +5,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "host_link/line_queue.hpp"
 #include "units/text.hpp"
 
 namespace worst_inputs {
@@ -43,45 +43,6 @@ std::string many_words() {
   return lengthened(line, 'a', false);
 }
 
-// As a host sends them: no more at once than the printer takes.
-template <class Line>
-void send_in_turn(SerialInput& input, int count, Line line) {
-  constexpr int at_once = static_cast<int>(host_link::LineQueue::capacity);
-  for (int i = 0; i < count; ++i) {
-    if (i % at_once == 0) input.push_back({.pause_us = 0, .bytes = {}, .waits = true});
-    input.back().bytes += line(i);
-  }
-}
-
-// On and on, with so little acceleration that each line makes many before it faster; of all axes,
-// each at another angle to the one before, by this command's corners.
-SerialInput slow_lines(std::string_view corners) {
-  SerialInput input{
-      {.pause_us = 0, .bytes = fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners)}};
-  send_in_turn(input, 56, [](int i) {
-    const int line = i + 1;
-    return fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
-                       100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
-  });
-  return input;
-}
-
-// The smallest lines that a machine is given, as a host sends them: the step generator takes four
-// at once. Behind them more lines, without waiting.
-SerialInput small_lines(double millimeters, int acceleration, int jerk, std::string_view behind) {
-  SerialInput input{{.pause_us = 0,
-                     .bytes = fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
-                                          "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n"
-                                          "G1 F18000\n",
-                                          acceleration, jerk)}};
-  send_in_turn(input, 24, [millimeters](int line) {
-    return fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
-                       100 + millimeters * (line / 2 % 2));
-  });
-  input.push_back({.pause_us = 0, .bytes = std::string(behind), .waits = true});
-  return input;
-}
-
 }  // namespace
 
 std::vector<SerialInput> hard_inputs() {
@@ -94,7 +55,7 @@ std::vector<SerialInput> hard_inputs() {
       "G2 X100.00012345 Y99.999912345 Z12.345678912 E0.12345678 I123.00012345 J0.00012345 "
       "F7654.32198765\n";
   std::string arcs_beyond;
-  for (int i = 0; i < 5; ++i) arcs_beyond += arc_beyond;
+  for (int i = 0; i < 4; ++i) arcs_beyond += arc_beyond;
   std::vector<SerialInput> inputs{
       at_once(lengthened(move, '0', false)),
       at_once(lengthened(move, ' ', true)),
@@ -113,11 +74,7 @@ std::vector<SerialInput> hard_inputs() {
       at_once(std::string(arc_beyond)),
       at_once("G28\n"),
       at_once(many_words()),
-      slow_lines("X30 Y30 Z5 E20"),
-      slow_lines("J0.02"),
-      small_lines(0.08, 20'000, 5, arcs_beyond),
-      small_lines(0.1, 20'000, 1, arcs_beyond),
-      small_lines(0.12, 20'000, 1, arcs_beyond),
+      at_once(std::move(arcs_beyond)),
       at_once("M104 S200\nM140 S60\nM106 S255\nM105\n"),
       at_once("M503\nM115\nM119\nM122\nM114\n"),
       at_once(

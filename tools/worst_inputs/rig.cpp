@@ -37,8 +37,11 @@ constexpr std::uint32_t clocks_per_bit = 4;  // the fastest serial line that is 
 // Without a reference the limits of the axes do not count.
 constexpr std::string_view preparation = "M104 S200\nM140 S60\nG28\nG1 X100 Y100 Z10 F9000\nM400\n";
 constexpr double most_preparation_s = 100;
-// Lines are done before that, unless one waits for heat, time, an end stop or the user.
 constexpr double longest_s = 0.06, look_s = 0.002;
+// A pass has always ended before: a line waits for room, heat, time, an end stop or the user.
+constexpr int looks_of_a_wait = 8;
+// For the rest of the pass that has executed the last line, and for the one behind it.
+constexpr int looks_behind = 6;
 
 std::uint32_t address_of(const sim::ElfImage& firmware, const char* name) {
   const auto address = firmware.symbol(name);
@@ -74,11 +77,18 @@ std::uint32_t Rig::word(std::uint32_t index) const {
   return chip_.read_memory(statistics_ + 4 * index);
 }
 
+std::uint32_t Rig::lines_done() const {
+  return word(offsetof(Statistics, commands_executed) / 4) +
+         word(offsetof(Statistics, commands_refused) / 4) +
+         word(offsetof(Statistics, lines_withdrawn) / 4);
+}
+
+std::uint32_t Rig::lines_accepted() const {
+  return word(offsetof(Statistics, lines_accepted) / 4);
+}
+
 bool Rig::is_idle() {
-  const std::uint32_t done = word(offsetof(Statistics, commands_executed) / 4) +
-                             word(offsetof(Statistics, commands_refused) / 4) +
-                             word(offsetof(Statistics, lines_withdrawn) / 4);
-  return printer_.serial_line().quiet() && done == word(offsetof(Statistics, lines_accepted) / 4);
+  return printer_.serial_line().quiet() && lines_done() == lines_accepted();
 }
 
 void Rig::run_for(double seconds) {
@@ -90,22 +100,28 @@ void Rig::run_for(double seconds) {
   }
 }
 
-// Until all lines are done, in so many looks one after the other, for what may follow them.
+// Until all lines are done, in so many looks one after the other, for what may follow them; or
+// until they wait for something else.
 void Rig::settle(int idle_looks) {
-  int idle = 0;
-  for (double time = 0; time < longest_s && idle < idle_looks; time += look_s) {
+  int idle = 0, without_progress = 0;
+  std::uint32_t before = 0;
+  for (double time = 0; time < longest_s && idle < idle_looks && without_progress < looks_of_a_wait;
+       time += look_s) {
     run_for(look_s);
     idle = is_idle() ? idle + 1 : 0;
+    const std::uint32_t now = lines_done() + lines_accepted();
+    const bool waits = now == before && printer_.serial_line().quiet();
+    without_progress = waits ? without_progress + 1 : 0;
+    before = now;
   }
 }
 
-std::vector<Slices> Rig::measure(const std::vector<SerialInput>& inputs, unsigned at_once) {
-  std::vector<Slices> measured;
+// All slices one behind the other, as bytes.
+std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned at_once) {
+  std::string measured;
   std::deque<process::Branch> under_way;
   const auto collect = [&] {
-    const std::string bytes = under_way.front().result();
-    if (bytes.size() != sizeof(Slices)) throw std::runtime_error("a measurement was cut short");
-    std::memcpy(measured.emplace_back().data(), bytes.data(), sizeof(Slices));
+    measured += under_way.front().result();
     under_way.pop_front();
   };
   for (const SerialInput& input : inputs) {
@@ -119,10 +135,26 @@ std::vector<Slices> Rig::measure(const std::vector<SerialInput>& inputs, unsigne
   return measured;
 }
 
-std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& input,
+std::vector<Slices> Rig::measure(const SerialInput& start, const std::vector<SerialInput>& inputs,
+                                 unsigned at_once) {
+  process::Branch branch([&] {
+    send(start);
+    return measure_here(inputs, at_once);
+  });
+  const std::string bytes = branch.result();
+  std::vector<Slices> measured(inputs.size());
+  if (bytes.size() != inputs.size() * sizeof(Slices)) {
+    throw std::runtime_error("a measurement was cut short");
+  }
+  std::memcpy(measured.data(), bytes.data(), bytes.size());
+  return measured;
+}
+
+std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& start, const SerialInput& input,
                                               const timing::Program& program, bool has_zbb,
                                               const std::vector<timing::Address>& functions) {
   process::Branch branch([&] {
+    send(start);
     timing::Calls calls(program, has_zbb);
     each_clock_ = [&] { calls.take(timing::sample_of(chip_.processor_statistics())); };
     run(input);
@@ -139,15 +171,18 @@ std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& input,
   return longest;
 }
 
-Slices Rig::run(const SerialInput& input) {
-  for (const std::uint32_t word : words) chip_.write_memory(statistics_ + 4 * word, 0);
+void Rig::send(const SerialInput& input) {
   for (const Piece& piece : input) {
     if (piece.waits) settle(1);
     run_for(1e-6 * piece.pause_us);
-    printer_.serial_line().send(simulation_.now(), piece.bytes);
+    if (!piece.bytes.empty()) printer_.serial_line().send(simulation_.now(), piece.bytes);
   }
-  constexpr int idle_looks = 3;
-  settle(idle_looks);
+}
+
+Slices Rig::run(const SerialInput& input) {
+  for (const std::uint32_t word : words) chip_.write_memory(statistics_ + 4 * word, 0);
+  send(input);
+  settle(looks_behind);
   Slices slices;
   std::ranges::transform(words, slices.begin(),
                          [this](std::uint32_t place) { return word(place); });

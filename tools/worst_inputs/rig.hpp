@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sim/machine/printer.hpp"
@@ -28,18 +29,23 @@ class Rig {
       std::uint32_t clock_hz);
 
   // The longest time of each task from the first byte of an input on, until nothing of it is left
-  // to be done, or for a while. Each begins with the same printer, in a process of its own, so many
-  // at once. Throws std::runtime_error with what the simulation has thrown.
-  std::vector<Slices> measure(const std::vector<SerialInput>& inputs, unsigned at_once);
+  // to be done, or for a while. Each meets the same printer, behind the same start, in a process of
+  // its own, so many at once. Throws std::runtime_error with what the simulation has thrown.
+  std::vector<Slices> measure(const SerialInput& start, const std::vector<SerialInput>& inputs,
+                              unsigned at_once);
   // The longest call of each of these functions in an input, in clocks, 0 without one. It is looked
   // at clock by clock, which takes longer.
-  std::vector<std::uint64_t> longest_calls(const SerialInput& input, const timing::Program& program,
-                                           bool has_zbb,
+  std::vector<std::uint64_t> longest_calls(const SerialInput& start, const SerialInput& input,
+                                           const timing::Program& program, bool has_zbb,
                                            const std::vector<timing::Address>& functions);
 
  private:
+  void send(const SerialInput& input);
   Slices run(const SerialInput& input);
+  std::string measure_here(const std::vector<SerialInput>& inputs, unsigned at_once);
   std::uint32_t word(std::uint32_t index) const;
+  std::uint32_t lines_done() const;
+  std::uint32_t lines_accepted() const;
   bool is_idle();
   void run_for(double seconds);
   void settle(int idle_looks);
