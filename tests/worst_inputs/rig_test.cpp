@@ -103,8 +103,8 @@ TEST_F(RigTest, has_each_start_in_the_state_that_it_names) {
   const auto refill = [&](std::string_view name) {
     return of(slices.at(name), units::Task::refill);
   };
-  for (const char* moves : {"an arc", "small lines, large jerk", "small lines",
-                            "small lines, a little longer"}) {
+  for (const char* moves :
+       {"an arc", "small lines, large jerk", "small lines", "small lines, a little longer"}) {
     EXPECT_GT(refill(moves), 5 * refill("at rest")) << moves;
   }
   const auto arc = [&](const SerialInput& start) {

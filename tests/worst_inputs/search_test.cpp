@@ -109,7 +109,6 @@ TEST(Search, begins_with_the_inputs_that_it_is_given) {
     EXPECT_TRUE(std::ranges::equal(std::span(behind_one).first(hard.size()), hard));
   }
   EXPECT_EQ(tried[0].size() + tried[1].size(), 2 * hard.size() + 8);
-  for (const SerialInput& input : hard) EXPECT_LE(bytes_of(input), most_bytes) << text_of(input);
 }
 
 // As if it took long for pauses behind one start, and for digits behind the other.

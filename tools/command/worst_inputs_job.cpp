@@ -21,8 +21,8 @@ namespace command {
 
 namespace {
 
-// Of a generation. The same on every machine, for the same seed is to find the same.
-constexpr std::uint64_t inputs_at_once = 128;
+// The same on every machine, for the same seed is to find the same.
+constexpr std::uint64_t inputs_of_a_generation = 512;
 
 constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
 
@@ -36,8 +36,7 @@ bool holds(const timing::TaskRow& row, timing::Clocks between_tasks, timing::Clo
 }
 
 void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing::Program& program,
-                       timing::Analysis& analysis,
-                       const std::vector<Watched>& inputs) {
+                       timing::Analysis& analysis, const std::vector<Watched>& inputs) {
   std::vector<timing::Address> addresses;
   for (const char* name : functions) {
     for (const timing::Address address : program.find(name)) {
@@ -72,10 +71,12 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
   const std::vector<worst_inputs::Start> starts = worst_inputs::starts();
   const std::vector<worst_inputs::SerialInput> first = worst_inputs::hard_inputs();
+  // Results are collected in order: one that takes long keeps no processor from the next ones.
+  const unsigned at_once = 4 * std::max(std::thread::hardware_concurrency(), 1U);
   worst_inputs::Search search(
       seed, starts.size(),
       [&](std::size_t start, const std::vector<worst_inputs::SerialInput>& some) {
-        return rig.measure(starts[start].input, some, std::thread::hardware_concurrency());
+        return rig.measure(starts[start].input, some, at_once);
       },
       first);
   const auto all_hold = [&] {
@@ -86,11 +87,10 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   };
   Progress progress;
   do {
-    search.step(std::min<std::uint64_t>(inputs - search.inputs(), inputs_at_once));
+    search.step(std::min<std::uint64_t>(inputs - search.inputs(), inputs_of_a_generation));
     if (progress.due()) {
-      progress.show_text(fmt::format("{} of {} inputs; the longest pass {} clocks",
-                                     search.inputs(), inputs,
-                                     search.worst(worst_inputs::pass_place).clocks));
+      progress.show_text(fmt::format("{} of {} inputs; the longest pass {} clocks", search.inputs(),
+                                     inputs, search.worst(worst_inputs::pass_place).clocks));
     }
   } while (search.inputs() < inputs && all_hold() && !interrupt_requested());
   progress.finish();

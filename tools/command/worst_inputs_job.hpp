@@ -35,8 +35,8 @@ struct WorstInputs {
 // Whether nothing took longer than its bound, and all has one.
 bool holds(const WorstInputs& found);
 
-// Co-simulates so many inputs, or fewer where one takes longer than a bound or the user interrupts it.
-// The same seed finds the same. Shows its progress.
+// Co-simulates so many inputs, or fewer where one takes longer than a bound or the user interrupts
+// it. The same seed finds the same. Shows its progress.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 std::uint64_t inputs, std::uint64_t seed);
 

@@ -11,11 +11,8 @@ namespace worst_inputs {
 
 namespace {
 
-constexpr std::size_t most_lines = 3, most_pieces = 12;
+constexpr std::size_t most_lines = 3, most_pieces = 4;
 constexpr std::uint32_t longest_pause_us = 5'000;
-// Once in a while, until heat and reports are due.
-constexpr std::uint32_t long_pause_us = 100'000;
-constexpr std::size_t long_pause_in = 10;
 constexpr std::string_view digits = "0123456789";
 
 // Borders of ranges and of numbers, and what is none.
@@ -92,15 +89,11 @@ std::string Breeder::line() {
   return text + '\n';
 }
 
-std::uint32_t Breeder::pause() {
-  return static_cast<std::uint32_t>(below(one_in(long_pause_in) ? long_pause_us : longest_pause_us));
-}
-
 SerialInput Breeder::random() {
   SerialInput input(1);
   for (std::size_t lines = 1 + below(most_lines); lines != 0; --lines) {
     if (one_in(4) && input.size() < most_pieces) {
-      input.push_back({.pause_us = pause(),
+      input.push_back({.pause_us = static_cast<std::uint32_t>(below(longest_pause_us)),
                        .bytes = {},
                        .waits = one_in(2)});
     }
@@ -165,14 +158,14 @@ void Breeder::change_byte(std::string& bytes) {
 }
 
 void Breeder::split(SerialInput& input, std::size_t piece) {
-  const std::uint32_t longer = pause();
+  const auto pause = static_cast<std::uint32_t>(below(longest_pause_us));
   if (input.size() == most_pieces || one_in(3)) {
-    input[piece].pause_us = one_in(3) ? 0 : longer;
+    input[piece].pause_us = one_in(3) ? 0 : pause;
     input[piece].waits = one_in(2);
     return;
   }
   const std::size_t place = below(input[piece].bytes.size());
-  Piece behind{.pause_us = longer, .bytes = input[piece].bytes.substr(place), .waits = one_in(2)};
+  Piece behind{.pause_us = pause, .bytes = input[piece].bytes.substr(place), .waits = one_in(2)};
   input[piece].bytes.resize(place);
   input.insert(input.begin() + static_cast<std::ptrdiff_t>(piece) + 1, std::move(behind));
 }

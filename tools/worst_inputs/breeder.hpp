@@ -29,7 +29,6 @@ class Breeder {
   std::string line();
   std::string number();
   std::string long_number();
-  std::uint32_t pause();
   void change(SerialInput& input);
   void change_number(std::string& bytes);
   void change_line(std::string& bytes);
@@ -39,7 +38,7 @@ class Breeder {
   std::mt19937_64 random_;
 };
 
-// Input is cut there: some of the longest lines.
-inline constexpr std::size_t most_bytes = 500;
+// Bred ones are cut there: two of the longest lines, and the beginning of a third.
+inline constexpr std::size_t most_bytes = 224;
 
 }  // namespace worst_inputs

@@ -55,7 +55,7 @@ std::vector<SerialInput> hard_inputs() {
       "G2 X100.00012345 Y99.999912345 Z12.345678912 E0.12345678 I123.00012345 J0.00012345 "
       "F7654.32198765\n";
   std::string arcs_beyond;
-  for (int i = 0; i < 4; ++i) arcs_beyond += arc_beyond;
+  for (int i = 0; i < 3; ++i) arcs_beyond += arc_beyond;
   std::vector<SerialInput> inputs{
       at_once(lengthened(move, '0', false)),
       at_once(lengthened(move, ' ', true)),

@@ -37,11 +37,13 @@ constexpr std::uint32_t clocks_per_bit = 4;  // the fastest serial line that is 
 // Without a reference the limits of the axes do not count.
 constexpr std::string_view preparation = "M104 S200\nM140 S60\nG28\nG1 X100 Y100 Z10 F9000\nM400\n";
 constexpr double most_preparation_s = 100;
-constexpr double longest_s = 0.06, look_s = 0.002;
+constexpr double look_s = 0.001;
+// Of an input where there are many, of one that is looked at clock by clock, and of a start.
+constexpr double longest_s = 0.024, longest_watched_s = 2, longest_start_s = 2;
 // A pass has always ended before: a line waits for room, heat, time, an end stop or the user.
-constexpr int looks_of_a_wait = 8;
+constexpr int looks_of_a_wait = 14;
 // For the rest of the pass that has executed the last line, and for the one behind it.
-constexpr int looks_behind = 6;
+constexpr int looks_behind = 8;
 
 std::uint32_t address_of(const sim::ElfImage& firmware, const char* name) {
   const auto address = firmware.symbol(name);
@@ -83,13 +85,9 @@ std::uint32_t Rig::lines_done() const {
          word(offsetof(Statistics, lines_withdrawn) / 4);
 }
 
-std::uint32_t Rig::lines_accepted() const {
-  return word(offsetof(Statistics, lines_accepted) / 4);
-}
+std::uint32_t Rig::lines_accepted() const { return word(offsetof(Statistics, lines_accepted) / 4); }
 
-bool Rig::is_idle() {
-  return printer_.serial_line().quiet() && lines_done() == lines_accepted();
-}
+bool Rig::is_idle() { return printer_.serial_line().quiet() && lines_done() == lines_accepted(); }
 
 void Rig::run_for(double seconds) {
   const sim::Clock end = simulation_.now() + simulation_.rate().clocks(seconds);
@@ -101,12 +99,11 @@ void Rig::run_for(double seconds) {
 }
 
 // Until all lines are done, in so many looks one after the other, for what may follow them; or
-// until they wait for something else.
-void Rig::settle(int idle_looks) {
+// until they wait for something else, or have taken long.
+void Rig::settle(int idle_looks, sim::Clock end) {
   int idle = 0, without_progress = 0;
   std::uint32_t before = 0;
-  for (double time = 0; time < longest_s && idle < idle_looks && without_progress < looks_of_a_wait;
-       time += look_s) {
+  while (simulation_.now() < end && idle < idle_looks && without_progress < looks_of_a_wait) {
     run_for(look_s);
     idle = is_idle() ? idle + 1 : 0;
     const std::uint32_t now = lines_done() + lines_accepted();
@@ -118,6 +115,7 @@ void Rig::settle(int idle_looks) {
 
 // All slices one behind the other, as bytes.
 std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned at_once) {
+  const sim::Clock now = simulation_.now();
   std::string measured;
   std::deque<process::Branch> under_way;
   const auto collect = [&] {
@@ -127,7 +125,7 @@ std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned a
   for (const SerialInput& input : inputs) {
     if (under_way.size() >= std::max(at_once, 1U)) collect();
     under_way.emplace_back([&] {
-      const Slices slices = run(input);
+      const Slices slices = run(input, now + simulation_.rate().clocks(longest_s));
       return std::string(reinterpret_cast<const char*>(slices.data()), sizeof slices);
     });
   }
@@ -138,7 +136,7 @@ std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned a
 std::vector<Slices> Rig::measure(const SerialInput& start, const std::vector<SerialInput>& inputs,
                                  unsigned at_once) {
   process::Branch branch([&] {
-    send(start);
+    send(start, simulation_.now() + simulation_.rate().clocks(longest_start_s));
     return measure_here(inputs, at_once);
   });
   const std::string bytes = branch.result();
@@ -154,10 +152,10 @@ std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& start, const Se
                                               const timing::Program& program, bool has_zbb,
                                               const std::vector<timing::Address>& functions) {
   process::Branch branch([&] {
-    send(start);
+    send(start, simulation_.now() + simulation_.rate().clocks(longest_start_s));
     timing::Calls calls(program, has_zbb);
     each_clock_ = [&] { calls.take(timing::sample_of(chip_.processor_statistics())); };
-    run(input);
+    run(input, simulation_.now() + simulation_.rate().clocks(longest_watched_s));
     std::string text;
     for (const timing::Address function : functions) {
       const auto found = calls.measured().find(function);
@@ -171,18 +169,18 @@ std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& start, const Se
   return longest;
 }
 
-void Rig::send(const SerialInput& input) {
+void Rig::send(const SerialInput& input, sim::Clock end) {
   for (const Piece& piece : input) {
-    if (piece.waits) settle(1);
+    if (piece.waits) settle(1, end);
     run_for(1e-6 * piece.pause_us);
     if (!piece.bytes.empty()) printer_.serial_line().send(simulation_.now(), piece.bytes);
   }
 }
 
-Slices Rig::run(const SerialInput& input) {
+Slices Rig::run(const SerialInput& input, sim::Clock end) {
   for (const std::uint32_t word : words) chip_.write_memory(statistics_ + 4 * word, 0);
-  send(input);
-  settle(looks_behind);
+  send(input, end);
+  settle(looks_behind, end);
   Slices slices;
   std::ranges::transform(words, slices.begin(),
                          [this](std::uint32_t place) { return word(place); });

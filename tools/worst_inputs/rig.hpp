@@ -40,15 +40,15 @@ class Rig {
                                            const std::vector<timing::Address>& functions);
 
  private:
-  void send(const SerialInput& input);
-  Slices run(const SerialInput& input);
+  void send(const SerialInput& input, sim::Clock end);
+  Slices run(const SerialInput& input, sim::Clock end);
   std::string measure_here(const std::vector<SerialInput>& inputs, unsigned at_once);
   std::uint32_t word(std::uint32_t index) const;
   std::uint32_t lines_done() const;
   std::uint32_t lines_accepted() const;
   bool is_idle();
   void run_for(double seconds);
-  void settle(int idle_looks);
+  void settle(int idle_looks, sim::Clock end);
 
   std::uint32_t statistics_;
   std::function<void()> each_clock_;  // where it is set, called behind each one

@@ -17,9 +17,8 @@ constexpr std::size_t new_in = 8, from_elsewhere_in = 8, crossed_in = 5;
 
 SerialInput Search::child(const Population& own) {
   if (own.inputs < first_.size()) return first_[own.inputs];
-  const Population& population = breeder_.one_in(from_elsewhere_in)
-                                     ? populations_[breeder_.below(populations_.size())]
-                                     : own;
+  const Population& population =
+      breeder_.one_in(from_elsewhere_in) ? populations_[breeder_.below(populations_.size())] : own;
   const Pool& pool = population.pools[breeder_.below(population.pools.size())];
   if (pool.empty() || breeder_.one_in(new_in)) return breeder_.random();
   // The better half twice as often.

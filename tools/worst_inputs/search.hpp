@@ -31,7 +31,10 @@ class Search {
   // Behind each start the first inputs are those given, in their order.
   Search(std::uint64_t seed, std::size_t starts, Measure measure,
          std::vector<SerialInput> first = {})
-      : breeder_(seed), measure_(std::move(measure)), first_(std::move(first)), populations_(starts) {}
+      : breeder_(seed),
+        measure_(std::move(measure)),
+        first_(std::move(first)),
+        populations_(starts) {}
 
   // A generation of so many inputs, bred of those before: what is found depends on their number.
   void step(std::size_t inputs);

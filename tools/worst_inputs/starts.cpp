@@ -42,16 +42,20 @@ SerialInput slow_lines(std::string_view corners) {
   });
 }
 
-// The smallest lines that a machine is given: the step generator takes four at once.
-SerialInput small_lines(double millimeters, int acceleration, int jerk) {
-  return in_turn(fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
-                             "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n"
-                             "G1 F18000\n",
-                             acceleration, jerk),
-                 24, [millimeters](int line) {
-                   return fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
-                                      100 + millimeters * (line / 2 % 2));
-                 });
+// The smallest lines that a machine is given. So long after the last one the step generator will
+// soon take four at once.
+SerialInput small_lines(double millimeters, int acceleration, int jerk, std::uint32_t pause_us) {
+  SerialInput input =
+      in_turn(fmt::format("M83\nM201 X{0} Y{0} E{0}\nM204 P{0} T{0}\n"
+                          "M203 X300 Y300 E200\nM205 X{1} Y{1} E{1}\n"
+                          "G1 F18000\n",
+                          acceleration, jerk),
+              24, [millimeters](int line) {
+                return fmt::format("G1X{:.2f}Y{:.2f}E.005\n", 100 + millimeters * (line % 2),
+                                   100 + millimeters * (line / 2 % 2));
+              });
+  input.push_back({.pause_us = pause_us, .bytes = {}});
+  return input;
 }
 
 std::string repeated(int count, std::string_view line) {
@@ -63,14 +67,14 @@ std::string repeated(int count, std::string_view line) {
 }  // namespace
 
 std::vector<Start> starts() {
-  constexpr std::uint32_t moment_us = 30'000, interval_us = 1'000'000;
+  constexpr std::uint32_t moment_us = 30'000, half_a_moment_us = 15'000, interval_us = 1'000'000;
   return {
       {"at rest", {}},
       {"slow lines", slow_lines("X30 Y30 Z5 E20")},
       {"slow lines, by junction deviation", slow_lines("J0.02")},
-      {"small lines, large jerk", small_lines(0.08, 20'000, 5)},
-      {"small lines", small_lines(0.1, 20'000, 1)},
-      {"small lines, a little longer", small_lines(0.12, 20'000, 1)},
+      {"small lines, large jerk", small_lines(0.08, 20'000, 5, moment_us)},
+      {"small lines", small_lines(0.1, 20'000, 1, moment_us)},
+      {"small lines, a little longer", small_lines(0.12, 20'000, 1, half_a_moment_us)},
       {"an arc", then("G2 X140 I20 J0 F3000\n", moment_us)},
       {"near the end stops", in_turn("G1 X0.4 Y0.4 Z0.3 F9000\n", 1, [](int) { return "M400\n"; })},
       {"homing", then("G28\n", moment_us)},
