@@ -21,8 +21,12 @@ namespace command {
 
 namespace {
 
-// The same on every machine, for the same seed is to find the same.
-constexpr std::uint64_t inputs_of_a_generation = 512;
+// Each start has some generations, and none is smaller than the first inputs. The same on every
+// machine, for the same seed is to find the same.
+std::uint64_t inputs_of_a_generation(std::uint64_t inputs, std::uint64_t starts) {
+  constexpr std::uint64_t generations = 8, least = 32, most = 512;
+  return std::clamp(inputs / (generations * starts), least, most);
+}
 
 constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
 
@@ -85,9 +89,10 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
     }
     return true;
   };
+  const std::uint64_t generation = inputs_of_a_generation(inputs, starts.size());
   Progress progress;
   do {
-    search.step(std::min<std::uint64_t>(inputs - search.inputs(), inputs_of_a_generation));
+    search.step(std::min(inputs - search.inputs(), generation));
     if (progress.due()) {
       progress.show_text(fmt::format("{} of {} inputs; the longest pass {} clocks", search.inputs(),
                                      inputs, search.worst(worst_inputs::pass_place).clocks));
