@@ -4,10 +4,14 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
 
 #include "sim/processor/timing_table.hpp"
 #include "tests/loaded_printer.hpp"
 #include "tools/command/worst_inputs_job.hpp"
+#include "tools/files/file_text.hpp"
+#include "tools/files/write_text.hpp"
 
 // What the handlers of the table need to be linked: none is called.
 namespace platform {
@@ -19,12 +23,15 @@ bool enter_boot_loader() { std::abort(); }
 namespace command {
 namespace {
 
-TEST(WorstInputs, take_no_longer_than_their_bounds) {
+WorstInputs search(const WorstInputSearch& wanted) {
   timing::Program program = timing::read_program(tests::firmware_file);
   program.memory_bytes = CHIP_MEMORY_BYTES;
+  return search_worst_inputs(program, timing::Costs{processor::TimingTable()}, wanted);
+}
+
+TEST(WorstInputs, take_no_longer_than_their_bounds) {
   constexpr std::uint64_t inputs = 384;
-  WorstInputs found =
-      search_worst_inputs(program, timing::Costs{processor::TimingTable()}, inputs, 1);
+  WorstInputs found = search({.inputs = inputs});
   EXPECT_EQ(found.inputs, inputs);
   EXPECT_TRUE(holds(found)) << to_text(found);
   auto& pass = found.rows.back();
@@ -39,6 +46,23 @@ TEST(WorstInputs, take_no_longer_than_their_bounds) {
   auto& parser = found.functions.front();
   parser.bound = parser.longest - 1;
   EXPECT_FALSE(holds(found));
+}
+
+TEST(WorstInputs, go_on_with_the_state_in_a_file) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "worst_inputs.state";
+  std::filesystem::remove(file);
+  search({.inputs = 40, .state = file});
+  const WorstInputs found = search({.inputs = 56, .state = file});
+  EXPECT_EQ(found.inputs, 56U);
+  // As many as that are there already.
+  const WorstInputs again = search({.inputs = 56, .state = file});
+  for (std::size_t task = 0; task < found.rows.size(); ++task) {
+    EXPECT_EQ(again.rows[task].measured.longest, found.rows[task].measured.longest);
+  }
+  files::write_text(file, "another file");
+  EXPECT_THROW(search({.inputs = 60, .state = file}), std::runtime_error);
+  EXPECT_EQ(files::text_of(file), "another file") << "what is no state is not written over";
 }
 
 }  // namespace

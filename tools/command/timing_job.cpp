@@ -48,6 +48,10 @@ void add_options(CLI::App& app, TimingOptions& options) {
           ->excludes(functions)
           ->excludes(tasks);
   job.add_option("--seed", options.seed, "of the search")->capture_default_str()->needs(search);
+  job.add_option("--state", options.state,
+                 "keep the search's state in this file, and go on with the one that is there")
+      ->type_name("FILE")
+      ->needs(search);
   job.footer(
       R"(Clocks from the first instruction to the return, with all that is called, without sleep.
 A function without a bound is listed with the place, the reason and a remedy.
@@ -76,7 +80,8 @@ int tasks_of(const timing::Program& program, const timing::Costs& costs,
 
 int search(const timing::Program& program, const timing::Costs& costs,
            const TimingOptions& options) {
-  const WorstInputs found = search_worst_inputs(program, costs, options.inputs, options.seed);
+  const WorstInputs found = search_worst_inputs(
+      program, costs, {.inputs = options.inputs, .seed = options.seed, .state = options.state});
   say("{}", options.json ? to_json(found) : to_text(found));
   return holds(found) ? success : failure;
 }

@@ -21,6 +21,7 @@ struct TimingOptions {
   double seconds = 20;  // of that print
   std::uint64_t inputs = 0;  // to be searched for bad ones; 0: no search
   std::uint64_t seed = 1;
+  std::filesystem::path state;  // file of a search that goes on; empty: none
 };
 
 // Adds the job to the program.

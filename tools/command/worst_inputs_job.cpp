@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "tools/command/build.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/task_times.hpp"
+#include "tools/files/file_text.hpp"
+#include "tools/files/write_file.hpp"
 #include "tools/worst_inputs/hard_inputs.hpp"
 #include "tools/worst_inputs/search.hpp"
 #include "tools/worst_inputs/starts.hpp"
@@ -29,6 +33,54 @@ std::uint64_t inputs_of_a_generation(std::uint64_t inputs, std::uint64_t starts)
 }
 
 constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
+
+// A search's state in a file, with what it is a search of.
+class StateFile {
+ public:
+  StateFile(std::filesystem::path file, const sim::ElfImage& firmware,
+            const std::vector<worst_inputs::Start>& starts,
+            const std::vector<worst_inputs::SerialInput>& first)
+      : file_(std::move(file)) {
+    for (const sim::ElfSegment& segment : firmware.segments) {
+      of_.insert(of_.end(), segment.bytes.begin(), segment.bytes.end());
+    }
+    const auto add = [&](const worst_inputs::SerialInput& input) {
+      const std::string text = worst_inputs::text_of(input);
+      of_.insert(of_.end(), text.begin(), text.end());
+    };
+    for (const worst_inputs::Start& start : starts) add(start.input);
+    for (const worst_inputs::SerialInput& input : first) add(input);
+  }
+
+  bool is_there() const { return !file_.empty() && std::filesystem::exists(file_); }
+
+  void resume(worst_inputs::Search& search) const try {
+    const auto all = nlohmann::json::from_cbor(files::text_of(file_));
+    if (all.at("of").get_binary() != of_) {
+      throw std::runtime_error("it is of another firmware, or of other starts");
+    }
+    const auto& state = all.at("search").get_binary();
+    search.resume({state.begin(), state.end()});
+  } catch (const std::exception& error) {
+    throw std::runtime_error(
+        fmt::format("cannot go on with the search in {}: {}; remove it, or name another file",
+                    file_.string(), error.what()));
+  }
+
+  void write(const worst_inputs::Search& search) const {
+    if (file_.empty()) return;
+    const std::string state = search.state();
+    const nlohmann::json all{{"of", of_},
+                             {"search", nlohmann::json::binary_t({state.begin(), state.end()})}};
+    std::string bytes;
+    nlohmann::json::to_cbor(all, bytes);
+    files::write_file(file_, bytes);
+  }
+
+ private:
+  std::filesystem::path file_;
+  nlohmann::json::binary_t of_;
+};
 
 // What is looked at clock by clock.
 struct Watched {
@@ -59,7 +111,7 @@ void measure_functions(WorstInputs& found, worst_inputs::Rig& rig, const timing:
 }  // namespace
 
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
-                                std::uint64_t inputs, std::uint64_t seed) {
+                                const WorstInputSearch& wanted) {
   timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
   WorstInputs found;
   found.rows = timing::task_rows(program, analysis);
@@ -78,7 +130,7 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   // Results are collected in order: one that takes long keeps no processor from the next ones.
   const unsigned at_once = 4 * std::max(std::thread::hardware_concurrency(), 1U);
   worst_inputs::Search search(
-      seed, starts.size(),
+      wanted.seed, starts.size(),
       [&](std::size_t start, const std::vector<worst_inputs::SerialInput>& some) {
         return rig.measure(starts[start].input, some, at_once);
       },
@@ -89,16 +141,21 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
     }
     return true;
   };
-  const std::uint64_t generation = inputs_of_a_generation(inputs, starts.size());
+  const StateFile state(wanted.state, firmware, starts, first);
+  if (state.is_there()) state.resume(search);
+  const std::uint64_t generation = inputs_of_a_generation(wanted.inputs, starts.size());
   Progress progress;
-  do {
-    search.step(std::min(inputs - search.inputs(), generation));
+  while (search.inputs() == 0 ||
+         (search.inputs() < wanted.inputs && all_hold() && !interrupt_requested())) {
+    search.step(std::min(wanted.inputs - search.inputs(), generation));
     if (progress.due()) {
+      state.write(search);
       progress.show_text(fmt::format("{} of {} inputs; the longest pass {} clocks", search.inputs(),
-                                     inputs, search.worst(worst_inputs::pass_place).clocks));
+                                     wanted.inputs, search.worst(worst_inputs::pass_place).clocks));
     }
-  } while (search.inputs() < inputs && all_hold() && !interrupt_requested());
+  }
   progress.finish();
+  state.write(search);
   found.inputs = search.inputs();
   std::vector<Watched> watched;
   for (const auto& input : first) watched.push_back({starts.front().input, input});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,10 +36,19 @@ struct WorstInputs {
 // Whether nothing took longer than its bound, and all has one.
 bool holds(const WorstInputs& found);
 
+struct WorstInputSearch {
+  std::uint64_t inputs{};  // in all
+  std::uint64_t seed = 1;
+  // Where its state is kept, now and then and at the end; empty: nowhere. Where there is one, the
+  // search goes on.
+  std::filesystem::path state{};
+};
+
 // Co-simulates so many inputs, or fewer where one takes longer than a bound or the user interrupts
-// it. The same seed finds the same. Shows its progress.
+// it. The same seed finds the same. Shows its progress. Throws std::runtime_error where the state
+// is that of another image or of other starts.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
-                                std::uint64_t inputs, std::uint64_t seed);
+                                const WorstInputSearch& search);
 
 std::string to_text(const WorstInputs& found);
 std::string to_json(const WorstInputs& found);

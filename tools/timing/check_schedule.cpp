@@ -17,7 +17,10 @@ int check_all_clocks(const timing::Schedule& schedule, const std::string& machin
                      std::uint32_t baud) {
   const auto range = timing::clocks_that_hold(schedule.facts, schedule.load, baud);
   if (range.is_empty()) {
-    fmt::print(stderr, "{}: not schedulable at any clock and {} baud\n", machine, baud);
+    fmt::print(
+        stderr,
+        "{}: not schedulable at {} baud:\n  {}\nremedy: a shorter pass, or a slower serial line\n",
+        machine, baud, timing::to_text(range));
     return 1;
   }
   fmt::print("{}: schedulable at {} to {} Hz and {} baud\n", machine, range.lowest_hz,

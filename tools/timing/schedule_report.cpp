@@ -41,23 +41,6 @@ std::string table(const Schedule& schedule, std::uint32_t baud) {
   return text;
 }
 
-std::string range_text(const ClockRange& range) {
-  if (range.is_empty() && !range.slower_fails) {
-    return fmt::format("no clock: {} at none", row_of(*range.faster_fails).name);
-  }
-  if (range.is_empty()) {
-    return fmt::format("no clock: {} needs {} Hz at least, {} {} Hz at most",
-                       row_of(*range.slower_fails).name, range.lowest_hz,
-                       row_of(*range.faster_fails).name, range.highest_hz);
-  }
-  std::string text = fmt::format("lowest clock {} Hz", range.lowest_hz);
-  if (range.slower_fails) text += fmt::format(" ({})", row_of(*range.slower_fails).name);
-  if (range.faster_fails) {
-    text += fmt::format(", highest {} Hz ({})", range.highest_hz, row_of(*range.faster_fails).name);
-  }
-  return text;
-}
-
 nlohmann::json to_json(const Response& response, Rate rate) {
   nlohmann::json entry{{"requirement", row_of(response.requirement).name},
                        {"clock_hz", rate.clock_hz},
@@ -72,6 +55,25 @@ nlohmann::json to_json(const Response& response, Rate rate) {
 }
 
 }  // namespace
+
+std::string to_text(const ClockRange& range) {
+  const auto name = [](const std::optional<Requirement>& which) { return row_of(*which).name; };
+  if (range.is_empty() && !(range.slower_fails && range.faster_fails)) {
+    return fmt::format("no clock: {} at none",
+                       name(range.slower_fails ? range.slower_fails : range.faster_fails));
+  }
+  if (range.is_empty()) {
+    return fmt::format("no clock: {} needs {} Hz at least, {} {} Hz at most",
+                       name(range.slower_fails), range.lowest_hz, name(range.faster_fails),
+                       range.highest_hz);
+  }
+  std::string text = fmt::format("lowest clock {} Hz", range.lowest_hz);
+  if (range.slower_fails) text += fmt::format(" ({})", name(range.slower_fails));
+  if (range.faster_fails) {
+    text += fmt::format(", highest {} Hz ({})", range.highest_hz, name(range.faster_fails));
+  }
+  return text;
+}
 
 std::vector<std::uint32_t> offered_baud_rates() { return {std::begin(rates), std::end(rates)}; }
 
@@ -141,7 +143,7 @@ std::string to_text(const Schedule& schedule) {
   if (!schedule.load.is_whole()) shown.load = bounded_part(schedule.rows);
   for (const std::uint32_t baud : rates) {
     text += "\n" + table(shown, baud);
-    text += range_text(clocks_that_hold(shown.facts, shown.load, baud)) + "\n";
+    text += to_text(clocks_that_hold(shown.facts, shown.load, baud)) + "\n";
   }
   return text;
 }
@@ -160,7 +162,7 @@ std::string to_json(const Schedule& schedule) {
                       {"schedulable", !range.is_empty()},
                       {"lowest_hz", range.lowest_hz},
                       {"highest_hz", range.highest_hz},
-                      {"reason", range_text(range)}});
+                      {"reason", to_text(range)}});
   }
   nlohmann::json all = nlohmann::json::parse(to_json(schedule.rows));
   if (schedule.load.is_whole()) {

@@ -39,6 +39,8 @@ std::vector<Response> misses(const Schedule& schedule, Rate rate);
 // Everything has a bound, and at each offered baud rate there is a clock at which all holds.
 bool is_schedulable(const Schedule& schedule);
 
+// "lowest clock 4000000 Hz (REQUIREMENT)", or why there is none.
+std::string to_text(const ClockRange& range);
 std::string to_text(const Schedule& schedule);
 std::string to_json(const Schedule& schedule);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 #include "application/gcode_table.hpp"
@@ -47,6 +49,17 @@ void cut(SerialInput& input) {
 
 std::size_t Breeder::below(std::size_t end) {
   return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_);
+}
+
+std::string Breeder::state() const {
+  std::ostringstream text;
+  text << random_;
+  return text.str();
+}
+
+void Breeder::resume(const std::string& state) {
+  std::istringstream text(state);
+  if (!(text >> random_)) throw std::runtime_error("it has no state of the random numbers");
 }
 
 std::string Breeder::long_number() {

@@ -21,6 +21,10 @@ class Breeder {
   // The beginning of one, the end of the other.
   SerialInput crossed(const SerialInput& one, const SerialInput& other);
 
+  // What follows from it.
+  std::string state() const;
+  void resume(const std::string& state);
+
   // Evenly one of 0 to end - 1.
   std::size_t below(std::size_t end);
   bool one_in(std::size_t times) { return below(times) == 0; }

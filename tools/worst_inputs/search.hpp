@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -38,6 +39,11 @@ class Search {
 
   // A generation of so many inputs, bred of those before: what is found depends on their number.
   void step(std::size_t inputs);
+
+  // All that it knows, and that again: it goes on as if it had not been stopped. Throws
+  // std::runtime_error where that is none, or of another number of starts.
+  std::string state() const;
+  void resume(const std::string& state);
 
   std::uint64_t inputs() const { return inputs_; }
   // The worst one of a task, or of the pass, behind all starts; after the first step.

@@ -19,8 +19,8 @@ SerialInput then(std::string lines, std::uint32_t pause_us) {
   return {{.pause_us = 0, .bytes = std::move(lines)}, {.pause_us = pause_us, .bytes = {}}};
 }
 
-// As a host sends them: no more at once than the printer takes. The last one has just been taken
-// over where these end.
+// As a host sends them: no more at once than the printer takes. At the end the last one has just
+// been taken over, or waits for room.
 template <class Line>
 SerialInput in_turn(std::string first, int count, Line line) {
   SerialInput input{{.pause_us = 0, .bytes = std::move(first)}};
@@ -35,7 +35,7 @@ SerialInput in_turn(std::string first, int count, Line line) {
 // On and on, with so little acceleration that each line makes many before it faster; of all axes,
 // each at another angle to the one before, by this command's corners.
 SerialInput slow_lines(std::string_view corners) {
-  return in_turn(fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners), 56, [](int i) {
+  return in_turn(fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners), 72, [](int i) {
     const int line = i + 1;
     return fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
                        100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
@@ -67,7 +67,7 @@ std::string repeated(int count, std::string_view line) {
 }  // namespace
 
 std::vector<Start> starts() {
-  constexpr std::uint32_t moment_us = 30'000, half_a_moment_us = 15'000, interval_us = 1'000'000;
+  constexpr std::uint32_t moment_us = 30'000, half_a_moment_us = 15'000, interval_us = 1'004'000;
   return {
       {"at rest", {}},
       {"slow lines", slow_lines("X30 Y30 Z5 E20")},
