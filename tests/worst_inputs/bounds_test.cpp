@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -12,13 +11,6 @@
 #include "tools/command/worst_inputs_job.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_text.hpp"
-
-// What the handlers of the table need to be linked: none is called.
-namespace platform {
-std::uint32_t bus_read(std::uint32_t) { std::abort(); }
-void bus_write(std::uint32_t, std::uint32_t) { std::abort(); }
-bool enter_boot_loader() { std::abort(); }
-}  // namespace platform
 
 namespace command {
 namespace {

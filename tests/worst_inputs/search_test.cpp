@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -16,13 +15,6 @@
 #include <vector>
 
 #include "tools/worst_inputs/hard_inputs.hpp"
-
-// What the handlers of the table need to be linked: none is called.
-namespace platform {
-std::uint32_t bus_read(std::uint32_t) { std::abort(); }
-void bus_write(std::uint32_t, std::uint32_t) { std::abort(); }
-bool enter_boot_loader() { std::abort(); }
-}  // namespace platform
 
 namespace worst_inputs {
 namespace {
