@@ -50,7 +50,6 @@ class Application {
  private:
   bool work(const Now& now);
   bool refill();
-  bool looks_first() const;
   [[gnu::noinline]] bool may_begin(units::Task task);
   std::int32_t need_of(units::Task task) const;
   std::int32_t left_in_hand() const;

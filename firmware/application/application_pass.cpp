@@ -129,7 +129,6 @@ bool Application::work(const Now& now) {
             return report(now);
           }) ||
           has_worked) {
-        if (looks_first()) next_ = {};
         return true;
       }
       [[fallthrough]];
@@ -143,17 +142,15 @@ bool Application::work(const Now& now) {
     units::happens<units::Event::received_or_executed>();
     units::happens<units::Event::answered_or_executed>();
     units::happens<units::Event::planned_or_executed>();
-    const bool more = looks_first() || executor_.update(now);
+    // What has come is taken first where there is room for it: it may be a line that needs no turn.
+    const bool looks_first =
+        hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity;
+    const bool more = looks_first || executor_.update(now);
     counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line during the rest of the pass.
     transmit();
     return more;
   });
-}
-
-// What has come is taken first where there is room for it: it may be a line that needs no turn.
-bool Application::looks_first() const {
-  return hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity;
 }
 
 // True if there may be more. By the time before each line, so that what is due at the end is in
