@@ -91,21 +91,36 @@ std::uint64_t number_in(const std::string& file, const std::string& expression) 
   return std::stoull(match[1]);
 }
 
-// Its numbers are figures, but its names and deadlines are text.
 TEST(ScheduleReport, says_why_there_is_no_clock) {
   constexpr auto slower = Requirement::heater_watchdog, faster = Requirement::horizon;
   const auto text = [](ClockRange range) { return to_text(range); };
   EXPECT_EQ(text({.lowest_hz = 4'000'000, .highest_hz = fastest_clock_hz}),
             "lowest clock 4000000 Hz");
-  EXPECT_EQ(text({.lowest_hz = 8, .highest_hz = 9, .slower_fails = slower, .faster_fails = faster}),
-            fmt::format("lowest clock 8 Hz ({}), highest 9 Hz ({})", row_of(slower).name,
-                        row_of(faster).name));
-  EXPECT_EQ(text({.lowest_hz = 9, .highest_hz = 8, .slower_fails = slower, .faster_fails = faster}),
-            fmt::format("no clock: {} needs 9 Hz at least, {} 8 Hz at most", row_of(slower).name,
-                        row_of(faster).name));
+  EXPECT_EQ(text({.lowest_hz = 8'000'000,
+                  .highest_hz = 9'000'000,
+                  .slower_fails = slower,
+                  .faster_fails = faster}),
+            fmt::format("lowest clock 8000000 Hz ({}), highest 9000000 Hz ({})",
+                        row_of(slower).name, row_of(faster).name));
+  EXPECT_EQ(text({.lowest_hz = 9'000'000,
+                  .highest_hz = 8'000'000,
+                  .slower_fails = slower,
+                  .faster_fails = faster}),
+            fmt::format("no clock: {} needs 9000000 Hz at least, {} 8000000 Hz at most",
+                        row_of(slower).name, row_of(faster).name));
   EXPECT_EQ(text({.lowest_hz = fastest_clock_hz + 1,
                   .highest_hz = fastest_clock_hz,
                   .slower_fails = slower}),
+            fmt::format("no clock: {} at none", row_of(slower).name));
+  EXPECT_EQ(text({.lowest_hz = 4'000'000,
+                  .highest_hz = slowest_clock_hz - 1,
+                  .slower_fails = slower,
+                  .faster_fails = faster}),
+            fmt::format("no clock: {} at none", row_of(faster).name));
+  EXPECT_EQ(text({.lowest_hz = fastest_clock_hz + 1,
+                  .highest_hz = 8'000'000,
+                  .slower_fails = slower,
+                  .faster_fails = faster}),
             fmt::format("no clock: {} at none", row_of(slower).name));
   EXPECT_EQ(text({.lowest_hz = slowest_clock_hz,
                   .highest_hz = slowest_clock_hz - 1,
@@ -113,6 +128,7 @@ TEST(ScheduleReport, says_why_there_is_no_clock) {
             fmt::format("no clock: {} at none", row_of(faster).name));
 }
 
+// Its numbers are figures, but its names and deadlines are text.
 TEST(ScheduleReport, the_table_of_the_first_page_has_each_task) {
   std::ostringstream text;
   text << std::ifstream(PROJECT_DIRECTORY "/tools/figures/tables/readme_tasks.md").rdbuf();

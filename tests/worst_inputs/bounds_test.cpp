@@ -22,7 +22,7 @@ WorstInputs search(const WorstInputSearch& wanted) {
 }
 
 TEST(WorstInputs, take_no_longer_than_their_bounds) {
-  constexpr std::uint64_t inputs = 384;
+  constexpr std::uint64_t inputs = 768;
   WorstInputs found = search({.inputs = inputs});
   EXPECT_EQ(found.inputs, inputs);
   EXPECT_TRUE(holds(found)) << to_text(found);
@@ -45,13 +45,14 @@ TEST(WorstInputs, go_on_with_the_state_in_a_file) {
       std::filesystem::path(testing::TempDir()) / "worst_inputs.state";
   std::filesystem::remove(file);
   search({.inputs = 40, .state = file});
+  EXPECT_EQ(search({.inputs = 1, .state = file}).inputs, 40U) << "they are there already";
   const WorstInputs found = search({.inputs = 56, .state = file});
   EXPECT_EQ(found.inputs, 56U);
-  // As many as that are there already.
   const WorstInputs again = search({.inputs = 56, .state = file});
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     EXPECT_EQ(again.rows[task].measured.longest, found.rows[task].measured.longest);
   }
+  EXPECT_THROW(search({.inputs = 60, .seed = 2, .state = file}), std::runtime_error);
   files::write_text(file, "another file");
   EXPECT_THROW(search({.inputs = 60, .state = file}), std::runtime_error);
   EXPECT_EQ(files::text_of(file), "another file") << "what is no state is not written over";

@@ -2,9 +2,12 @@
 // The chip with its firmware measures what an input costs.
 #include "tools/worst_inputs/rig.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +33,7 @@ class RigTest : public testing::Test {
  protected:
   const sim::ElfImage firmware = sim::read_elf(tests::firmware_file);
   const machine::Description description = tests::default_machine();
-  Rig rig{firmware, description, 4'000'000};
+  Rig rig{firmware, description, 4'000'000, 150'000};
 };
 
 TEST_F(RigTest, measures_each_input_by_itself) {
@@ -104,16 +107,27 @@ TEST_F(RigTest, has_each_start_in_the_state_that_it_names) {
        {"an arc", "small lines, large jerk", "small lines", "small lines, a little longer"}) {
     EXPECT_GT(refill(moves), 5 * refill("at rest")) << moves;
   }
-  const auto arc = [&](const SerialInput& start) {
-    return of(rig.measure(start, {{{.pause_us = 0, .bytes = "G2 X120 I10 J0\n"}}}, 1).at(0),
-              units::Task::commands);
-  };
-  for (const Start& start : starts()) {
-    if (!start.name.starts_with("slow lines")) continue;
-    EXPECT_LT(arc(start.input), arc({}) / 2) << start.name << ": there is room for more";
-  }
   EXPECT_GT(of(slices.at("reports that are due"), units::Task::reports),
             5 * of(slices.at("at rest"), units::Task::reports));
+}
+
+TEST_F(RigTest, sees_a_pass_without_an_end) {
+  sim::ElfImage faulty = firmware;
+  const timing::Address halt =
+      timing::read_program(tests::firmware_file).find("Application::halt").front();
+  constexpr std::array<std::uint8_t, 4> jump_to_itself{0x6f, 0, 0, 0};
+  for (sim::ElfSegment& segment : faulty.segments) {
+    if (halt < segment.address || halt - segment.address >= segment.bytes.size()) continue;
+    std::ranges::copy(jump_to_itself, segment.bytes.begin() + (halt - segment.address));
+  }
+  Rig faulty_rig(faulty, description, 4'000'000, 150'000);
+  EXPECT_NO_THROW(measured(faulty_rig, {"G1 X3 F900\n"}));
+  try {
+    measured(faulty_rig, {"M112\n"});
+    ADD_FAILURE() << "the pass ended";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("M112\\n: a pass takes more than 150000 clocks"));
+  }
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ std::string joined(const SerialInput& input) {
   return bytes;
 }
 
-// As if the first task took long for digits, the last one for pauses.
+// As if the first task took long for some digits, the last one for pauses.
 Slices of_digits_and_pauses(const SerialInput& input) {
   Slices slices{};
   const std::string bytes = joined(input);
   slices.front() = static_cast<std::uint32_t>(
-      std::ranges::count_if(bytes, [](char byte) { return byte >= '0' && byte <= '9'; }));
+      std::ranges::count_if(bytes, [](char byte) { return byte == '7' || byte == '9'; }));
   for (const Piece& piece : input) slices.back() += piece.pause_us / 1'000;
   return slices;
 }
@@ -56,7 +56,7 @@ TEST(Search, finds_worse_inputs_than_chance) {
     pauses_by_chance = std::max(pauses_by_chance, slices.back());
   }
   EXPECT_EQ(search.inputs(), static_cast<std::uint64_t>(steps));
-  EXPECT_GT(search.worst(0).clocks, by_chance + by_chance / 20);
+  EXPECT_GT(search.worst(0).clocks, by_chance + by_chance / 4);
   EXPECT_EQ(of_digits_and_pauses(search.worst(0).input).front(), search.worst(0).clocks);
   EXPECT_GT(search.worst(pass_place).clocks, pauses_by_chance + pauses_by_chance / 4);
 }

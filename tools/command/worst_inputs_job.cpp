@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -37,19 +38,19 @@ constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
 // A search's state in a file, with what it is a search of.
 class StateFile {
  public:
-  StateFile(std::filesystem::path file, const sim::ElfImage& firmware,
-            const std::vector<worst_inputs::Start>& starts,
-            const std::vector<worst_inputs::SerialInput>& first)
+  StateFile(std::filesystem::path file, const sim::ElfImage& firmware, std::uint64_t seed)
       : file_(std::move(file)) {
+    if (file_.empty()) return;
+    // What the search does is in the program itself.
+    for (const std::uint64_t part :
+         {std::hash<std::string>()(files::text_of("/proc/self/exe")), seed}) {
+      for (unsigned shift = 0; shift < 64; shift += 8) {
+        of_.push_back(static_cast<std::uint8_t>(part >> shift));
+      }
+    }
     for (const sim::ElfSegment& segment : firmware.segments) {
       of_.insert(of_.end(), segment.bytes.begin(), segment.bytes.end());
     }
-    const auto add = [&](const worst_inputs::SerialInput& input) {
-      const std::string text = worst_inputs::text_of(input);
-      of_.insert(of_.end(), text.begin(), text.end());
-    };
-    for (const worst_inputs::Start& start : starts) add(start.input);
-    for (const worst_inputs::SerialInput& input : first) add(input);
   }
 
   bool is_there() const { return !file_.empty() && std::filesystem::exists(file_); }
@@ -57,7 +58,7 @@ class StateFile {
   void resume(worst_inputs::Search& search) const try {
     const auto all = nlohmann::json::from_cbor(files::text_of(file_));
     if (all.at("of").get_binary() != of_) {
-      throw std::runtime_error("it is of another firmware, or of other starts");
+      throw std::runtime_error("it is of another firmware, program or seed");
     }
     const auto& state = all.at("search").get_binary();
     search.resume({state.begin(), state.end()});
@@ -124,7 +125,8 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
   std::ranges::rotate(found.rows, found.rows.begin() + 1);
   const sim::ElfImage firmware = sim::read_elf(build_folder() / "firmware" / "firmware.elf");
   const machine::Description description = description_of({});
-  worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
+  worst_inputs::Rig rig(firmware, description, tasks_clock_hz,
+                        found.rows.back().bound.value_or(0) + found.between_tasks);
   const std::vector<worst_inputs::Start> starts = worst_inputs::starts();
   const std::vector<worst_inputs::SerialInput> first = worst_inputs::hard_inputs();
   // Results are collected in order: one that takes long keeps no processor from the next ones.
@@ -141,7 +143,7 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
     }
     return true;
   };
-  const StateFile state(wanted.state, firmware, starts, first);
+  const StateFile state(wanted.state, firmware, wanted.seed);
   if (state.is_there()) state.resume(search);
   const std::uint64_t generation = inputs_of_a_generation(wanted.inputs, starts.size());
   Progress progress;

@@ -46,7 +46,7 @@ struct WorstInputSearch {
 
 // Co-simulates so many inputs, or fewer where one takes longer than a bound or the user interrupts
 // it. The same seed finds the same. Shows its progress. Throws std::runtime_error where the state
-// is that of another image or of other starts.
+// is that of another firmware, program or seed, and where a pass has no end.
 WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
                                 const WorstInputSearch& search);
 

@@ -17,10 +17,9 @@ int check_all_clocks(const timing::Schedule& schedule, const std::string& machin
                      std::uint32_t baud) {
   const auto range = timing::clocks_that_hold(schedule.facts, schedule.load, baud);
   if (range.is_empty()) {
-    fmt::print(
-        stderr,
-        "{}: not schedulable at {} baud:\n  {}\nremedy: a shorter pass, or a slower serial line\n",
-        machine, baud, timing::to_text(range));
+    fmt::print(stderr, "{}: not schedulable at {} baud:\n  {}\nremedy: a shorter pass{}\n", machine,
+               baud, timing::to_text(range),
+               range.slower_fails == timing::Requirement::bits ? ", or a slower serial line" : "");
     return 1;
   }
   fmt::print("{}: schedulable at {} to {} Hz and {} baud\n", machine, range.lowest_hz,

@@ -58,9 +58,11 @@ nlohmann::json to_json(const Response& response, Rate rate) {
 
 std::string to_text(const ClockRange& range) {
   const auto name = [](const std::optional<Requirement>& which) { return row_of(*which).name; };
-  if (range.is_empty() && !(range.slower_fails && range.faster_fails)) {
-    return fmt::format("no clock: {} at none",
-                       name(range.slower_fails ? range.slower_fails : range.faster_fails));
+  if (range.lowest_hz > fastest_clock_hz) {
+    return fmt::format("no clock: {} at none", name(range.slower_fails));
+  }
+  if (range.highest_hz < slowest_clock_hz) {
+    return fmt::format("no clock: {} at none", name(range.faster_fails));
   }
   if (range.is_empty()) {
     return fmt::format("no clock: {} needs {} Hz at least, {} {} Hz at most",

@@ -35,10 +35,15 @@ std::pair<std::size_t, std::size_t> line_at(const std::string& bytes, std::size_
   return {begin, end == std::string::npos ? bytes.size() : end + 1};
 }
 
+// At the end of a line, where there is one.
 void cut(SerialInput& input) {
   std::size_t left = most_bytes;
   for (Piece& piece : input) {
-    piece.bytes.resize(std::min(piece.bytes.size(), left));
+    if (piece.bytes.size() > left) {
+      const std::size_t end = left == 0 ? std::string::npos : piece.bytes.rfind('\n', left - 1);
+      piece.bytes.resize(end == std::string::npos ? left : end + 1);
+      left = piece.bytes.size();
+    }
     left -= piece.bytes.size();
   }
   std::erase_if(input, [](const Piece& piece) { return piece.bytes.empty(); });
@@ -207,7 +212,11 @@ void Breeder::change(SerialInput& input) {
 }
 
 SerialInput Breeder::changed(SerialInput input) {
-  for (std::size_t times = 1 + below(4); times != 0; --times) change(input);
+  const SerialInput parent = input;
+  constexpr int tries = 8;
+  for (int i = 0; i < tries && input == parent; ++i) {
+    for (std::size_t times = 1 + below(4); times != 0; --times) change(input);
+  }
   return input;
 }
 

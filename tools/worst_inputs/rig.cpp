@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/worst_inputs/rig.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -40,10 +42,8 @@ constexpr double most_preparation_s = 100;
 constexpr double look_s = 0.001;
 // Of an input where there are many, of one that is looked at clock by clock, and of a start.
 constexpr double longest_s = 0.024, longest_watched_s = 2, longest_start_s = 2;
-// A pass has always ended before: a line waits for room, heat, time, an end stop or the user.
-constexpr int looks_of_a_wait = 14;
-// For the rest of the pass that has executed the last line, and for the one behind it.
-constexpr int looks_behind = 8;
+// Lines that wait for room, heat, time, an end stop or the user; the pass behind the last line.
+constexpr int looks_of_a_wait = 4, looks_behind = 3;
 
 std::uint32_t address_of(const sim::ElfImage& firmware, const char* name) {
   const auto address = firmware.symbol(name);
@@ -54,8 +54,9 @@ std::uint32_t address_of(const sim::ElfImage& firmware, const char* name) {
 }  // namespace
 
 Rig::Rig(const sim::ElfImage& firmware, const machine::Description& description,
-         std::uint32_t clock_hz)
-    : statistics_(address_of(firmware, "statistics")),
+         std::uint32_t clock_hz, sim::Clock longest_pass)
+    : longest_pass_(longest_pass),
+      statistics_(address_of(firmware, "statistics")),
       chip_(clock_hz),
       simulation_(chip_, sim::ClockRate(clock_hz)),
       printer_(description,
@@ -66,10 +67,10 @@ Rig::Rig(const sim::ElfImage& firmware, const machine::Description& description,
                simulation_) {
   sim::load(firmware, chip_);
   chip_.write_memory(address_of(firmware, "serial_baud"), clock_hz / clocks_per_bit);
-  run_for(boot_s);
+  run_for(clocks(boot_s));
   printer_.serial_line().send(simulation_.now(), preparation);
   for (double time = 0; time < most_preparation_s; time += look_s) {
-    run_for(look_s);
+    run_for(clocks(look_s));
     if (is_idle()) return;
   }
   throw std::runtime_error("the printer was not prepared in time");
@@ -89,8 +90,8 @@ std::uint32_t Rig::lines_accepted() const { return word(offsetof(Statistics, lin
 
 bool Rig::is_idle() { return printer_.serial_line().quiet() && lines_done() == lines_accepted(); }
 
-void Rig::run_for(double seconds) {
-  const sim::Clock end = simulation_.now() + simulation_.rate().clocks(seconds);
+void Rig::run_for(sim::Clock clocks) {
+  const sim::Clock end = simulation_.now() + clocks;
   if (!each_clock_) simulation_.run_until(end);
   while (simulation_.now() < end) {
     simulation_.run_until(simulation_.now() + 1);
@@ -98,24 +99,55 @@ void Rig::run_for(double seconds) {
   }
 }
 
-// Until all lines are done, in so many looks one after the other, for what may follow them; or
-// until they wait for something else, or have taken long.
-void Rig::settle(int idle_looks, sim::Clock end) {
-  int idle = 0, without_progress = 0;
+sim::Clock Rig::clocks(double seconds) const { return simulation_.rate().clocks(seconds); }
+
+// No pass is under way.
+bool Rig::is_asleep() {
+  constexpr sim::Clock some = 4;
+  const std::uint64_t before = chip_.processor_statistics().sleeping_clocks;
+  run_for(some);
+  return chip_.processor_statistics().sleeping_clocks == before + some;
+}
+
+// Until all lines are done, or wait for something else, in so many looks that find the processor
+// asleep; or until the end.
+void Rig::settle(int looks, sim::Clock end) {
+  int idle = 0, waiting = 0;
   std::uint32_t before = 0;
-  while (simulation_.now() < end && idle < idle_looks && without_progress < looks_of_a_wait) {
-    run_for(look_s);
-    idle = is_idle() ? idle + 1 : 0;
+  while (simulation_.now() < end && idle < looks && waiting < looks_of_a_wait) {
+    run_for(clocks(look_s));
     const std::uint32_t now = lines_done() + lines_accepted();
-    const bool waits = now == before && printer_.serial_line().quiet();
-    without_progress = waits ? without_progress + 1 : 0;
+    if (now != before || !printer_.serial_line().quiet()) idle = waiting = 0;
     before = now;
+    if (!is_asleep()) continue;
+    ++waiting;
+    if (is_idle()) ++idle;
+  }
+}
+
+// What is under way counts too.
+void Rig::end_pass() {
+  const sim::Clock end = simulation_.now() + longest_pass_;
+  while (!is_asleep()) {
+    if (simulation_.now() < end) {
+      run_for(clocks(look_s / 4));
+      continue;
+    }
+    // One pass follows the other, or one has no end.
+    const std::uint32_t longest = word(words.back());
+    chip_.write_memory(statistics_ + 4 * words.back(), 0);
+    run_for(longest_pass_);
+    const std::uint32_t since = word(words.back());
+    if (since == 0) {
+      throw std::runtime_error(fmt::format("a pass takes more than {} clocks", longest_pass_));
+    }
+    chip_.write_memory(statistics_ + 4 * words.back(), std::max(longest, since));
+    return;
   }
 }
 
 // All slices one behind the other, as bytes.
 std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned at_once) {
-  const sim::Clock now = simulation_.now();
   std::string measured;
   std::deque<process::Branch> under_way;
   const auto collect = [&] {
@@ -125,8 +157,12 @@ std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned a
   for (const SerialInput& input : inputs) {
     if (under_way.size() >= std::max(at_once, 1U)) collect();
     under_way.emplace_back([&] {
-      const Slices slices = run(input, now + simulation_.rate().clocks(longest_s));
-      return std::string(reinterpret_cast<const char*>(slices.data()), sizeof slices);
+      try {
+        const Slices slices = run(input, simulation_.now() + clocks(longest_s));
+        return std::string(reinterpret_cast<const char*>(slices.data()), sizeof slices);
+      } catch (const std::exception& error) {
+        throw std::runtime_error(fmt::format("{}: {}", text_of(input), error.what()));
+      }
     });
   }
   while (!under_way.empty()) collect();
@@ -136,7 +172,7 @@ std::string Rig::measure_here(const std::vector<SerialInput>& inputs, unsigned a
 std::vector<Slices> Rig::measure(const SerialInput& start, const std::vector<SerialInput>& inputs,
                                  unsigned at_once) {
   process::Branch branch([&] {
-    send(start, simulation_.now() + simulation_.rate().clocks(longest_start_s));
+    send(start, simulation_.now() + clocks(longest_start_s));
     return measure_here(inputs, at_once);
   });
   const std::string bytes = branch.result();
@@ -152,10 +188,10 @@ std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& start, const Se
                                               const timing::Program& program, bool has_zbb,
                                               const std::vector<timing::Address>& functions) {
   process::Branch branch([&] {
-    send(start, simulation_.now() + simulation_.rate().clocks(longest_start_s));
+    send(start, simulation_.now() + clocks(longest_start_s));
     timing::Calls calls(program, has_zbb);
     each_clock_ = [&] { calls.take(timing::sample_of(chip_.processor_statistics())); };
-    run(input, simulation_.now() + simulation_.rate().clocks(longest_watched_s));
+    run(input, simulation_.now() + clocks(longest_watched_s));
     std::string text;
     for (const timing::Address function : functions) {
       const auto found = calls.measured().find(function);
@@ -169,18 +205,22 @@ std::vector<std::uint64_t> Rig::longest_calls(const SerialInput& start, const Se
   return longest;
 }
 
-void Rig::send(const SerialInput& input, sim::Clock end) {
+// Pauses do not count.
+sim::Clock Rig::send(const SerialInput& input, sim::Clock end) {
   for (const Piece& piece : input) {
     if (piece.waits) settle(1, end);
-    run_for(1e-6 * piece.pause_us);
+    const sim::Clock pause = clocks(1e-6 * piece.pause_us);
+    run_for(pause);
+    end += pause;
     if (!piece.bytes.empty()) printer_.serial_line().send(simulation_.now(), piece.bytes);
   }
+  return end;
 }
 
 Slices Rig::run(const SerialInput& input, sim::Clock end) {
   for (const std::uint32_t word : words) chip_.write_memory(statistics_ + 4 * word, 0);
-  send(input, end);
-  settle(looks_behind, end);
+  settle(looks_behind, send(input, end));
+  end_pass();
   Slices slices;
   std::ranges::transform(words, slices.begin(),
                          [this](std::uint32_t place) { return word(place); });

@@ -20,7 +20,7 @@ SerialInput then(std::string lines, std::uint32_t pause_us) {
 }
 
 // As a host sends them: no more at once than the printer takes. At the end the last one has just
-// been taken over, or waits for room.
+// been taken over.
 template <class Line>
 SerialInput in_turn(std::string first, int count, Line line) {
   SerialInput input{{.pause_us = 0, .bytes = std::move(first)}};
@@ -35,7 +35,7 @@ SerialInput in_turn(std::string first, int count, Line line) {
 // On and on, with so little acceleration that each line makes many before it faster; of all axes,
 // each at another angle to the one before, by this command's corners.
 SerialInput slow_lines(std::string_view corners) {
-  return in_turn(fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners), 72, [](int i) {
+  return in_turn(fmt::format("M83\nM204 P20 T20\nM205 {}\nG1 F12000\n", corners), 56, [](int i) {
     const int line = i + 1;
     return fmt::format("G1X{:.1f}Y{:.1f}Z{:.1f}E.1{}\n", 100 + 1.3 * line + line % 2,
                        100 + 1.1 * line - line % 3, 10 + 0.3 * line + 0.2 * (line % 2), line % 3);
@@ -58,12 +58,6 @@ SerialInput small_lines(double millimeters, int acceleration, int jerk, std::uin
   return input;
 }
 
-std::string repeated(int count, std::string_view line) {
-  std::string lines;
-  for (int i = 0; i < count; ++i) lines += line;
-  return lines;
-}
-
 }  // namespace
 
 std::vector<Start> starts() {
@@ -78,7 +72,6 @@ std::vector<Start> starts() {
       {"an arc", then("G2 X140 I20 J0 F3000\n", moment_us)},
       {"near the end stops", in_turn("G1 X0.4 Y0.4 Z0.3 F9000\n", 1, [](int) { return "M400\n"; })},
       {"homing", then("G28\n", moment_us)},
-      {"lines behind a dwell", then("G4 S1000\n" + repeated(lines_at_once - 1, "G1 X101 E1\n"), 0)},
       {"a heater that is waited for", then("M109 S230\n", moment_us)},
       {"reports that are due", then("M155 S1\nM154 S1\n", interval_us)},
   };
