@@ -91,6 +91,8 @@ architecture rtl of time_base is
   signal count_changed : std_ulogic := '0';
 
   signal phase_sum : unsigned(63 downto 0);
+  -- The same after a leap of 1 or 2, and of 4.
+  signal short_sum, long_sum : unsigned(63 downto 0);
   signal carry : std_ulogic;
   signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
@@ -155,16 +157,20 @@ architecture rtl of time_base is
   end function;
 
   -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64
-  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two
-  -- without a carry: the comparison does not wait for the sum.
+  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. In the upper half, where the
+  -- floor lies, three numbers become two without a carry: the comparison does not wait for the sum. In the
+  -- lower half, where the carry chain begins, nothing lies before it.
   function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return std_ulogic is
-    constant less_floor : unsigned(63 downto 0) := not ('0' & floor & x"00000000");
-    constant carries : unsigned(63 downto 0) :=
-      (value and change) or (value and less_floor) or (change and less_floor);
+    constant less_floor : unsigned(31 downto 0) := not ('0' & floor);
+    constant upper : unsigned(31 downto 0) := value(63 downto 32);
+    constant upper_change : unsigned(31 downto 0) := change(63 downto 32);
+    constant carries : unsigned(31 downto 0) :=
+      (upper and upper_change) or (upper and less_floor) or (upper_change and less_floor);
     variable difference : unsigned(63 downto 0);
   begin
-    difference := (value xor change xor less_floor) + (carries(62 downto 0) & '1');
+    difference := ((upper xor upper_change xor less_floor) & value(31 downto 0)) +
+                  (carries(30 downto 0) & '1' & change(31 downto 0));
     return difference(63) and difference(62);
   end function;
 
@@ -183,7 +189,11 @@ architecture rtl of time_base is
 
 begin
 
-  phase_sum <= phase + doubled(rate, leap);
+  -- The carry decides everything else, so both sums are made before it is known which one counts. Gates
+  -- choose: of a multiplexer synthesis would make one sum behind it again.
+  short_sum <= phase + doubled(rate, '0' & leap(0));
+  long_sum <= phase + doubled(rate, "10");
+  phase_sum <= (long_sum and (63 downto 0 => leap(1))) or (short_sum and (63 downto 0 => not leap(1)));
   -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
   carry <= phase(63) and not phase_sum(63);
   next_rate <= integrated(rate,
