@@ -97,14 +97,35 @@ architecture rtl of feed_override is
     return (advance => '0', leap => "00", rest => "00");
   end function;
 
-  -- What remains of the slope where the base's own acceleration adds to that of the scale.
-  function cut(full : slope_t; at_scale : scale_t) return slope_t is
+  -- How much of the slope remains at a scale where the base's own acceleration adds to that of the scale:
+  -- a half, a quarter, an eighth, nothing.
+  type cut_t is record
+    to_quarter : std_ulogic;
+    to_eighth : std_ulogic;
+    to_nothing : std_ulogic;
+  end record;
+
+  function cut_at(at_scale : scale_t) return cut_t is
+    variable to_nothing : std_ulogic := '0';
   begin
     if at_scale(33 downto 29) >= 7 then
+      to_nothing := '1';
+    end if;
+    return (
+      to_quarter => at_scale(31) and not at_scale(30), to_eighth => at_scale(31) and at_scale(30),
+      to_nothing => to_nothing);
+  end function;
+
+  -- That of the scale, known from the clock before.
+  signal cut_of_scale : cut_t := cut_at(scale_of_one);
+
+  function cut(full : slope_t; by : cut_t) return slope_t is
+  begin
+    if by.to_nothing then
       return to_unsigned(0, full'length);
-    elsif at_scale(31) and at_scale(30) then
+    elsif by.to_eighth then
       return shift_right(full, 3);
-    elsif at_scale(31) then
+    elsif by.to_quarter then
       return shift_right(full, 2);
     end if;
     return shift_right(full, 1);
@@ -136,8 +157,9 @@ begin
 
   to_target <= (others => '0') when braking = '1' else target & x"0000";
   rises <= '1' when scale < to_target else '0';
-  slope_up <= cut(slope, scale) when accelerating = '1' else slope;
-  slope_down <= brake_slope when braking = '1' else cut(slope, scale) when decelerating = '1' else slope;
+  slope_up <= cut(slope, cut_of_scale) when accelerating = '1' else slope;
+  slope_down <= brake_slope when braking = '1' else
+                cut(slope, cut_of_scale) when decelerating = '1' else slope;
   up <= scale + slope_up;
   down <= scale - slope_down;
   -- scale + slope_up - to_target, scale - slope_down - to_target.
@@ -153,9 +175,17 @@ begin
   begin
     wait until rising_edge(clk);
     scale <= to_target when arrives = '1' else moved;
+    if arrives then
+      cut_of_scale <= cut_at(to_target);
+    elsif rises then
+      cut_of_scale <= cut_at(up);
+    else
+      cut_of_scale <= cut_at(down);
+    end if;
     standing <= '1' when scale = 0 and advance = '0' else '0';
     if reset then
       scale <= scale_of_one;
+      cut_of_scale <= cut_at(scale_of_one);
       standing <= '0';
     end if;
   end process;
