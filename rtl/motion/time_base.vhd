@@ -86,25 +86,21 @@ architecture rtl of time_base is
   signal ends_motion : std_ulogic := '0';
   signal ticks_left : ticks_t := (others => '0');
   -- The next tick is the segment's last; and known from the clock after a tick on.
-  signal one_left : std_ulogic := '0';
-  signal last : std_ulogic := '0';
-  signal count_changed : std_ulogic := '0';
+  signal one_left, last, count_changed : std_ulogic := '0';
 
-  signal phase_sum : unsigned(63 downto 0);
-  -- The same after a leap of 1 or 2, and of 4.
-  signal short_sum, long_sum : unsigned(63 downto 0);
-  signal carry : std_ulogic;
+  -- The sum after this leap, and after leaps of 1, 2 and 4.
+  signal phase_sum, single_sum, double_sum, fourfold_sum : unsigned(63 downto 0);
+  -- For each leap: it is this one, and may bring a carry; it brings one if it may.
+  signal chosen, possible, comes : std_ulogic_vector(2 downto 0);
   signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
-  signal acceleration_fits : std_ulogic;
-  -- As if there were no stop: a tick is possible, or would have to wait; the head would follow with it; the
-  -- head begins from rest.
+  signal carry, acceleration_fits : std_ulogic;
+  -- As if there were no stop: a tick is possible, or would wait; the head would follow it, begins from rest.
   signal may_tick, would_stall, would_follow, starts : std_ulogic;
   -- The same with the carry: the base goes on, makes a tick or starts, loads the head.
   signal goes_on, counts, loads : std_ulogic;
-  -- The longest leaps that rate and floor permit.
-  signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
-  signal leap_of_jerk : leap_t;
+  -- The longest leaps that rates, floor and jerk permit.
+  signal leap_of_head, leap_of_rate, leap_of_floor, leap_of_jerk : leap_t;
 
   -- What a leap makes of a change per clock.
   function doubled(value : unsigned(63 downto 0); times : leap_t) return unsigned is
@@ -189,13 +185,17 @@ architecture rtl of time_base is
 
 begin
 
-  -- The carry decides everything else, so both sums are made before it is known which one counts. Gates
+  -- The carry decides everything else, so all sums are made before it is known which one counts. Gates
   -- choose: of a multiplexer synthesis would make one sum behind it again.
-  short_sum <= phase + doubled(rate, '0' & leap(0));
-  long_sum <= phase + doubled(rate, "10");
-  phase_sum <= (long_sum and (63 downto 0 => leap(1))) or (short_sum and (63 downto 0 => not leap(1)));
+  single_sum <= phase + rate;
+  double_sum <= phase + doubled(rate, "01");
+  fourfold_sum <= phase + doubled(rate, "10");
+  chosen <= leap(1) & (not leap(1) and leap(0)) & (leap(1) nor leap(0));
+  phase_sum <= (fourfold_sum and chosen(2)) or (double_sum and chosen(1)) or (single_sum and chosen(0));
   -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
-  carry <= phase(63) and not phase_sum(63);
+  possible <= chosen and phase(63);
+  comes <= not (fourfold_sum(63) & double_sum(63) & single_sum(63));
+  carry <= or (possible and comes);
   next_rate <= integrated(rate,
     doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
 
@@ -214,16 +214,16 @@ begin
     shorter(shorter(leap_of_rate, leap_of_head), leap_of_floor) when one_left = '1' and head_valid = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
-  -- Carry and stop settle last in the clock: everything else is computed before them, and what a stop makes
-  -- void anyway does not wait for it. After a stop the base is not active, and begins with a head.
+  -- Carry and stop settle last in the clock: everything else is computed before, and what a stop makes void
+  -- anyway does not wait for it. After a stop the base is not active, and begins with a head.
   may_tick <= active and advance and axes_ready;
   would_stall <= active and advance and not axes_ready;
   would_follow <= may_tick and last and head_valid and not head.waits_for_start;
   starts <= head_valid and not active and run and (start or not head.waits_for_start);
-  goes_on <= may_tick or (would_stall and not carry);
-  counts <= starts or (may_tick and carry);
-  loads <= starts or (would_follow and carry);
-  stalled <= would_stall and carry;
+  goes_on <= active and advance and not stalled;
+  counts <= starts or (or (possible and may_tick and comes));
+  loads <= starts or (or (possible and would_follow and comes));
+  stalled <= or (possible and would_stall and comes);
   due <= active and advance and carry and not stop;
   tick <= may_tick and carry and not stop;
   take <= loads and not stop;
