@@ -48,7 +48,7 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
-    (I => O) = 4900;
+    (I => O) = 5100;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
@@ -106,7 +106,7 @@ awk -v wire=$wire '
 [ "$(grep -c '= 1[0-9]*;' work/cells.v)" = 21 ] ||
   { echo "failed: Yosys' cells have other delays than this script knows" >&2; exit 1; }
 
-# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 9.5 ns is not made
+# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 8.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
@@ -114,7 +114,7 @@ step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;
-  abc9 -maxlut 4 -W $wire -D 9500;
+  abc9 -maxlut 4 -W $wire -D 8500;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;
