@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Multiplier, signed and unsigned, pipelined: partial products in one clock, their sum in the next. The two
--- middle products are already added in the first clock, because the path of the second is longer.
+-- Multiplier, signed and unsigned, pipelined: partial products in one clock, their sum in the next.
 
 library ieee;
 use ieee.std_logic_1164.all;
