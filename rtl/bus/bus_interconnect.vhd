@@ -86,7 +86,6 @@ begin
       waited_cycles <= waited_cycles + 1;
       if (or selected) = '0' or waited_cycles + 1 >= answer_limit_cycles then
         given_up <= '1';
-        waited_cycles <= 0;
       end if;
     end if;
     if reset then

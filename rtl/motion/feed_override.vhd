@@ -97,26 +97,54 @@ architecture rtl of feed_override is
     return (advance => '0', leap => "00", rest => "00");
   end function;
 
-  -- What remains of the slope where the base's own acceleration adds to that of the scale.
-  function cut(full : slope_t; at_scale : scale_t) return slope_t is
+  -- How much of the slope remains at a scale where the base's own acceleration adds to that of the scale:
+  -- a half, a quarter, an eighth, nothing.
+  type cut_t is record
+    to_quarter : std_ulogic;
+    to_eighth : std_ulogic;
+    to_nothing : std_ulogic;
+  end record;
+
+  function cut_at(at_scale : scale_t) return cut_t is
+    variable to_nothing : std_ulogic := '0';
   begin
     if at_scale(33 downto 29) >= 7 then
+      to_nothing := '1';
+    end if;
+    return (
+      to_quarter => at_scale(31) and not at_scale(30), to_eighth => at_scale(31) and at_scale(30),
+      to_nothing => to_nothing);
+  end function;
+
+  -- That of the scale, known from the clock before.
+  signal cut_of_scale : cut_t := cut_at(scale_of_one);
+
+  function cut(full : slope_t; by : cut_t) return slope_t is
+  begin
+    if by.to_nothing then
       return to_unsigned(0, full'length);
-    elsif at_scale(31) and at_scale(30) then
+    elsif by.to_eighth then
       return shift_right(full, 3);
-    elsif at_scale(31) then
+    elsif by.to_quarter then
       return shift_right(full, 2);
     end if;
     return shift_right(full, 1);
   end function;
 
-  -- Whether a + b + c + lowest + 1 is negative in two's complement: three numbers become two without a carry,
-  -- so that one carry chain is enough.
-  function sum_is_negative(a, b, c : unsigned(35 downto 0); lowest : std_ulogic) return std_ulogic is
-    constant carries : unsigned(35 downto 0) := (a and b) or (a and c) or (b and c);
+  -- Whether a + b + carry - 2^16 * c is negative in two's complement. In the upper bits three numbers become
+  -- two without a carry, so that one carry chain is enough; in the lower ones, where it begins, nothing lies
+  -- before it.
+  function sum_is_negative(a, b : unsigned(35 downto 0); carry : std_ulogic; c : unsigned(19 downto 0))
+    return std_ulogic is
+    constant upper_a : unsigned(19 downto 0) := a(35 downto 16);
+    constant upper_b : unsigned(19 downto 0) := b(35 downto 16);
+    constant carries : unsigned(19 downto 0) :=
+      (upper_a and upper_b) or (upper_a and not c) or (upper_b and not c);
     variable total : unsigned(36 downto 0);
   begin
-    total := ((a xor b xor c) & '1') + (carries(34 downto 0) & lowest & '1');
+    -- An extra lowest bit is the carry in.
+    total := ((upper_a xor upper_b xor not c) & a(15 downto 0) & '1') +
+             (carries(18 downto 0) & '1' & b(15 downto 0) & carry);
     return total(36);
   end function;
 
@@ -135,14 +163,16 @@ begin
   working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0 or target /= unity) else '0';
 
   to_target <= (others => '0') when braking = '1' else target & x"0000";
-  rises <= '1' when scale < to_target else '0';
-  slope_up <= cut(slope, scale) when accelerating = '1' else slope;
-  slope_down <= brake_slope when braking = '1' else cut(slope, scale) when decelerating = '1' else slope;
+  -- The target has no lower bits.
+  rises <= '1' when scale(33 downto 16) < to_target(33 downto 16) else '0';
+  slope_up <= cut(slope, cut_of_scale) when accelerating = '1' else slope;
+  slope_down <= brake_slope when braking = '1' else
+                cut(slope, cut_of_scale) when decelerating = '1' else slope;
   up <= scale + slope_up;
   down <= scale - slope_down;
   -- scale + slope_up - to_target, scale - slope_down - to_target.
-  up_stays_below <= sum_is_negative("00" & scale, x"0" & slope_up, not ("00" & to_target), '0');
-  down_passes <= sum_is_negative("00" & scale, not (x"0" & slope_down), not ("00" & to_target), '1');
+  up_stays_below <= sum_is_negative("00" & scale, x"0" & slope_up, '0', "00" & to_target(33 downto 16));
+  down_passes <= sum_is_negative("00" & scale, not (x"0" & slope_down), '1', "00" & to_target(33 downto 16));
 
   moved <= up when rises = '1' else down;
   passes <= not up_stays_below when rises = '1' else down_passes;
@@ -152,10 +182,20 @@ begin
   approach : process
   begin
     wait until rising_edge(clk);
-    scale <= to_target when arrives = '1' else moved;
+    scale(33 downto 16) <= to_target(33 downto 16) when arrives = '1' else moved(33 downto 16);
+    -- Gates: a synchronous reset would lie behind a longer wire.
+    scale(15 downto 0) <= moved(15 downto 0) and (15 downto 0 => not arrives);
+    if arrives then
+      cut_of_scale <= cut_at(to_target);
+    elsif rises then
+      cut_of_scale <= cut_at(up);
+    else
+      cut_of_scale <= cut_at(down);
+    end if;
     standing <= '1' when scale = 0 and advance = '0' else '0';
     if reset then
       scale <= scale_of_one;
+      cut_of_scale <= cut_at(scale_of_one);
       standing <= '0';
     end if;
   end process;

@@ -86,7 +86,9 @@ begin
   along_ramp <= end_stop_hit or software_brake;
 
   stop <= at_once or stopped;
-  stop_begins <= at_once and not stopped;
+  -- The queue is cleared by it, far away: few gates lie behind the end stops.
+  stop_begins <= (without_end_stop and not stopped) or
+                 ((or hits) and (active and with_end_stop and not stopped));
   hit <= (at_once or along_ramp) and not (braking or stopped);
   closed <= at_once or along_ramp or braking or stopped;
 

@@ -86,23 +86,21 @@ architecture rtl of time_base is
   signal ends_motion : std_ulogic := '0';
   signal ticks_left : ticks_t := (others => '0');
   -- The next tick is the segment's last; and known from the clock after a tick on.
-  signal one_left : std_ulogic := '0';
-  signal last : std_ulogic := '0';
-  signal count_changed : std_ulogic := '0';
+  signal one_left, last, count_changed : std_ulogic := '0';
 
-  signal phase_sum : unsigned(63 downto 0);
-  signal carry : std_ulogic;
+  -- The sum after this leap, and after leaps of 1, 2 and 4.
+  signal phase_sum, single_sum, double_sum, fourfold_sum : unsigned(63 downto 0);
+  -- For each leap: it is this one, and may bring a carry; it brings one if it may.
+  signal chosen, possible, comes : std_ulogic_vector(2 downto 0);
   signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
-  signal acceleration_fits : std_ulogic;
-  -- As if there were no stop: a tick is possible, or would have to wait; the head would follow with it; the
-  -- head begins from rest.
+  signal carry, acceleration_fits : std_ulogic;
+  -- As if there were no stop: a tick is possible, or would wait; the head would follow it, begins from rest.
   signal may_tick, would_stall, would_follow, starts : std_ulogic;
   -- The same with the carry: the base goes on, makes a tick or starts, loads the head.
   signal goes_on, counts, loads : std_ulogic;
-  -- The longest leaps that rate and floor permit.
-  signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
-  signal leap_of_jerk : leap_t;
+  -- The longest leaps that rates, floor and jerk permit.
+  signal leap_of_head, leap_of_rate, leap_of_floor, leap_of_jerk : leap_t;
 
   -- What a leap makes of a change per clock.
   function doubled(value : unsigned(63 downto 0); times : leap_t) return unsigned is
@@ -155,16 +153,20 @@ architecture rtl of time_base is
   end function;
 
   -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64
-  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two
-  -- without a carry: the comparison does not wait for the sum.
+  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. In the upper half, where the
+  -- floor lies, three numbers become two without a carry: the comparison does not wait for the sum. In the
+  -- lower half, where the carry chain begins, nothing lies before it.
   function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return std_ulogic is
-    constant less_floor : unsigned(63 downto 0) := not ('0' & floor & x"00000000");
-    constant carries : unsigned(63 downto 0) :=
-      (value and change) or (value and less_floor) or (change and less_floor);
+    constant less_floor : unsigned(31 downto 0) := not ('0' & floor);
+    constant upper : unsigned(31 downto 0) := value(63 downto 32);
+    constant upper_change : unsigned(31 downto 0) := change(63 downto 32);
+    constant carries : unsigned(31 downto 0) :=
+      (upper and upper_change) or (upper and less_floor) or (upper_change and less_floor);
     variable difference : unsigned(63 downto 0);
   begin
-    difference := (value xor change xor less_floor) + (carries(62 downto 0) & '1');
+    difference := ((upper xor upper_change xor less_floor) & value(31 downto 0)) +
+                  (carries(30 downto 0) & '1' & change(31 downto 0));
     return difference(63) and difference(62);
   end function;
 
@@ -183,9 +185,17 @@ architecture rtl of time_base is
 
 begin
 
-  phase_sum <= phase + doubled(rate, leap);
+  -- The carry decides everything else, so all sums are made before it is known which one counts. Gates
+  -- choose: of a multiplexer synthesis would make one sum behind it again.
+  single_sum <= phase + rate;
+  double_sum <= phase + doubled(rate, "01");
+  fourfold_sum <= phase + doubled(rate, "10");
+  chosen <= leap(1) & (not leap(1) and leap(0)) & (leap(1) nor leap(0));
+  phase_sum <= (fourfold_sum and chosen(2)) or (double_sum and chosen(1)) or (single_sum and chosen(0));
   -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
-  carry <= phase(63) and not phase_sum(63);
+  possible <= chosen and phase(63);
+  comes <= not (fourfold_sum(63) & double_sum(63) & single_sum(63));
+  carry <= or (possible and comes);
   next_rate <= integrated(rate,
     doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
 
@@ -204,16 +214,16 @@ begin
     shorter(shorter(leap_of_rate, leap_of_head), leap_of_floor) when one_left = '1' and head_valid = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
-  -- Carry and stop settle last in the clock: everything else is computed before them, and what a stop makes
-  -- void anyway does not wait for it. After a stop the base is not active, and begins with a head.
+  -- Carry and stop settle last in the clock: everything else is computed before, and what a stop makes void
+  -- anyway does not wait for it. After a stop the base is not active, and begins with a head.
   may_tick <= active and advance and axes_ready;
   would_stall <= active and advance and not axes_ready;
   would_follow <= may_tick and last and head_valid and not head.waits_for_start;
   starts <= head_valid and not active and run and (start or not head.waits_for_start);
-  goes_on <= may_tick or (would_stall and not carry);
-  counts <= starts or (may_tick and carry);
-  loads <= starts or (would_follow and carry);
-  stalled <= would_stall and carry;
+  goes_on <= active and advance and not stalled;
+  counts <= starts or (or (possible and may_tick and comes));
+  loads <= starts or (or (possible and would_follow and comes));
+  stalled <= or (possible and would_stall and comes);
   due <= active and advance and carry and not stop;
   tick <= may_tick and carry and not stop;
   take <= loads and not stop;

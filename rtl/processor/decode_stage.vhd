@@ -27,11 +27,13 @@ entity decode_stage is
     take_interrupt : in std_ulogic;
     flush : in std_ulogic;
     -- Results to forward: of execute, unless it is late, and of write-back.
-    forwarded_result : in word_t;
+    forwarded_late : in word_t;
+    forwarded_early : in word_t;
     forward_late_result : in std_ulogic;
     writing : in writing_t;
     written_value : in word_t;
     written_late : in word_t;
+    written_product : in word_t;
     written_early : in word_t;
     prediction : out prediction_t;
     -- The instruction in decode: it is issued, and executable; control signals, immediate, source registers.
@@ -162,11 +164,13 @@ begin
       execute_writes => executing.valid and control.writes,
       execute_destination => control.destination,
       execute_late => control.late,
-      execute_result => forwarded_result,
+      execute_result_late => forwarded_late,
+      execute_result_early => forwarded_early,
       write => writing.writes,
       destination => writing.destination,
       write_data => written_value,
       write_data_late => written_late,
+      write_data_product => written_product,
       write_data_early => written_early,
       forward_late_result => forward_late_result,
       hazard => hazard,

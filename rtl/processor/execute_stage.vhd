@@ -52,8 +52,10 @@ entity execute_stage is
     divider_done : out std_ulogic;
     -- Of a CSR instruction.
     csr_data : in word_t;
-    -- For the next instruction; to write-back, with late results a clock later.
-    forwarded_result : out word_t;
+    -- For the next instruction, the OR of what settles late in the clock and the rest; to write-back,
+    -- with late results a clock later.
+    forwarded_late : out word_t;
+    forwarded_early : out word_t;
     result : out word_t;
     product : out word_t;
     manipulated : out word_t := (others => '0')
@@ -63,6 +65,7 @@ end entity;
 architecture rtl of execute_stage is
 
   signal alu_result, divider_result, early_result, late_result : word_t;
+  signal from_alu : std_ulogic;
   signal less, data_enable : std_ulogic;
   signal comparison : comparison_t;
   signal offset : unsigned(31 downto 0);
@@ -164,8 +167,10 @@ begin
   -- Result forwarded to the next instruction; the ALU's settles last.
   -- Late results are forwarded from write-back.
   early_result <= divider_result when control.divide else std_ulogic_vector(alternate_address);
-  forwarded_result <= early_result when control.divide or result_is_address else alu_result;
+  from_alu <= not (control.divide or result_is_address);
+  forwarded_late <= alu_result and (31 downto 0 => from_alu);
+  forwarded_early <= early_result and (31 downto 0 => not from_alu);
   late_result <= bus_response.data when bus_active else csr_data;
-  result <= late_result when bus_active or control.csr else forwarded_result;
+  result <= late_result when bus_active or control.csr else forwarded_late or forwarded_early;
 
 end architecture;

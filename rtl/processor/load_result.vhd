@@ -29,10 +29,10 @@ begin
 
   -- Two levels of logic: the loaded word settles late in the clock.
   signs <= loaded(31) & loaded(23) & loaded(15) & loaded(7);
-  result(7 downto 0) <= gated(loaded(31 downto 24), lanes.low(3)) or
-                        gated(loaded(23 downto 16), lanes.low(2)) or
-                        gated(loaded(15 downto 8), lanes.low(1)) or
-                        gated(loaded(7 downto 0), lanes.low(0));
+  result(7 downto 0) <= (gated(loaded(31 downto 24), lanes.low(3)) or
+                         gated(loaded(23 downto 16), lanes.low(2))) or
+                        (gated(loaded(15 downto 8), lanes.low(1)) or
+                         gated(loaded(7 downto 0), lanes.low(0)));
   result(15 downto 8) <= gated(loaded(31 downto 24), lanes.second(1)) or
                          gated(loaded(15 downto 8), lanes.second(0)) or
                          (7 downto 0 => (or (signs and lanes.second_sign)));

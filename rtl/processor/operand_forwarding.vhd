@@ -21,16 +21,18 @@ entity operand_forwarding is
     second_is_immediate : in std_ulogic;
     immediate : in word_t;
     -- The instruction in execute: its destination, and its result, if this is not late, that is available in
-    -- write-back only.
+    -- write-back only. It is the OR of a part that settles late in the clock and one that settles early.
     execute_writes : in std_ulogic;
     execute_destination : in register_index_t;
     execute_late : in std_ulogic;
-    execute_result : in word_t;
-    -- Write-back; `write_data` is the OR of a part that settles late in the clock and one that settles early.
+    execute_result_late : in word_t;
+    execute_result_early : in word_t;
+    -- Write-back; `write_data` is the OR of two such parts and of one that settles between them.
     write : in std_ulogic;
     destination : in register_index_t;
     write_data : in word_t;
     write_data_late : in word_t;
+    write_data_product : in word_t;
     write_data_early : in word_t;
     -- The operands of the instruction in execute. Load-use hazard: one of them is a late result; the
     -- instruction stalls until this is written and forwarded, in the clock of `forward_late_result`.
@@ -45,10 +47,13 @@ architecture rtl of operand_forwarding is
 
   signal first_in_register, second_in_register : word_t;
   -- Settle early in the clock.
-  signal first_early, second_early : word_t;
+  signal first_early, second_early, first_settled, second_settled : word_t;
+  -- All but what write-back's memory data adds.
+  signal first_rest, second_rest : word_t;
   signal first_hazard, second_hazard : std_ulogic := '0';
   signal update_first, update_second, first_from_write_back, second_from_write_back : std_ulogic;
   signal first_matches, second_matches, first_from_execute, second_from_execute : std_ulogic;
+  signal first_from_write_back_only, second_from_write_back_only : std_ulogic;
 
 begin
 
@@ -76,6 +81,17 @@ begin
                   immediate when second_is_immediate else
                   second_in_register;
 
+  -- Execute holds the newer result. Critical path: memory data passes one gate, the results of execute two,
+  -- products three.
+  first_settled <= execute_result_early when first_from_execute else first_early;
+  second_settled <= execute_result_early when second_from_execute else second_early;
+  first_rest <= (execute_result_late and (31 downto 0 => first_from_execute)) or
+                ((write_data_product and (31 downto 0 => first_from_write_back_only)) or first_settled);
+  second_rest <= (execute_result_late and (31 downto 0 => second_from_execute)) or
+                 ((write_data_product and (31 downto 0 => second_from_write_back_only)) or second_settled);
+  first_from_write_back_only <= first_from_write_back and not first_from_execute;
+  second_from_write_back_only <= second_from_write_back and not second_from_execute;
+
   update_first <= advance or (forward_late_result and first_hazard);
   update_second <= advance or (forward_late_result and second_hazard);
 
@@ -83,14 +99,11 @@ begin
   begin
     wait until rising_edge(clk);
     if update_first then
-      -- Execute holds the newer result.
-      first <= execute_result when first_from_execute else
-               first_early or (write_data_late and (31 downto 0 => first_from_write_back));
+      first <= first_rest or (write_data_late and (31 downto 0 => first_from_write_back_only));
       first_hazard <= advance and executable and first_matches and execute_late and reads_first;
     end if;
     if update_second then
-      second <= execute_result when second_from_execute else
-                second_early or (write_data_late and (31 downto 0 => second_from_write_back));
+      second <= second_rest or (write_data_late and (31 downto 0 => second_from_write_back_only));
       second_hazard <= advance and executable and second_matches and execute_late and reads_second;
     end if;
   end process;

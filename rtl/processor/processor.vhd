@@ -73,7 +73,7 @@ architecture rtl of processor is
   signal interruptible, take_halt, enter_debug : std_ulogic;
   signal first_operand, second_operand : word_t;
   signal hazard, forward_late_result : std_ulogic;
-  signal forwarded_result, result : word_t;
+  signal forwarded_late, forwarded_early, result : word_t;
   signal result_is_address : std_ulogic;
   signal divider_done : std_ulogic;
   signal redirect : redirect_t;
@@ -95,7 +95,8 @@ architecture rtl of processor is
 
   -- Write-back.
   signal writing : writing_t;
-  signal writing_instruction, product, manipulated, written_value, written_late, written_early : word_t;
+  signal writing_instruction, product, manipulated : word_t;
+  signal written_value, written_late, written_product, written_early : word_t;
 
 begin
 
@@ -130,8 +131,9 @@ begin
       clk => clk, reset => reset, advance => advance, fetched => fetched,
       debug_request => debug_request, redirect => redirect.enable, trap_enable => trap.enable,
       return_from_trap => return_from_trap, bus_error => bus_error, take_interrupt => take_interrupt,
-      flush => flush, forwarded_result => forwarded_result, forward_late_result => forward_late_result,
-      writing => writing, written_value => written_value, written_late => written_late,
+      flush => flush, forwarded_late => forwarded_late, forwarded_early => forwarded_early,
+      forward_late_result => forward_late_result, writing => writing, written_value => written_value,
+      written_late => written_late, written_product => written_product,
       written_early => written_early, prediction => prediction, issue => issue,
       issue_executable => issue_executable, decoded => decoded, decoded_immediate => decoded_immediate,
       first_index => first_index, second_index => second_index, issued => executing,
@@ -180,7 +182,8 @@ begin
       data_address => data_address, data_misaligned => data_misaligned,
       data_in_memory => data_in_memory, bus_active => bus_active, bus_done => bus_done,
       bus_error => bus_error, divider_done => divider_done, csr_data => csr_data,
-      forwarded_result => forwarded_result, result => result, product => product,
+      forwarded_late => forwarded_late, forwarded_early => forwarded_early, result => result,
+      product => product,
       manipulated => manipulated);
 
   machine_mode : entity work.machine_mode
@@ -238,6 +241,7 @@ begin
       writing_instruction => writing_instruction,
       value => written_value,
       value_late => written_late,
+      value_product => written_product,
       value_early => written_early);
 
   asleep <= executable and not bus_active and control.wait_for_interrupt and not wake_request;

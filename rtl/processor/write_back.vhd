@@ -33,9 +33,11 @@ entity write_back is
     retire : out std_ulogic;
     writing : out writing_t;
     writing_instruction : out word_t;
-    -- The result, and its two parts, one of which is zero: what settles late in the clock, and the rest.
+    -- The result, and its parts, of which all but one are zero: what settles late in the clock, a product,
+    -- and the rest.
     value : out word_t;
     value_late : out word_t;
+    value_product : out word_t;
     value_early : out word_t
   );
 end entity;
@@ -98,11 +100,12 @@ begin
       result => from_bus);
 
   -- Memory data settles last, then products.
-  value_late <= from_memory or (product and (31 downto 0 => held.multiply));
+  value_late <= from_memory;
+  value_product <= product and (31 downto 0 => held.multiply);
   value_early <= from_bus when held.load else
                  manipulated when held.manipulate else
                  writing_result and (31 downto 0 => not held.multiply);
-  value <= value_late or value_early;
+  value <= value_late or (value_product or value_early);
   writing <= held;
 
 end architecture;

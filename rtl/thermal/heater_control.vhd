@@ -68,8 +68,9 @@ architecture rtl of heater_control is
   signal first_key, second_key : std_ulogic;
 
   -- Bounds of the limits for the present number of charges, a clock after it.
-  signal charges : unsigned(8 downto 0);
-  signal least_count, most_count : unsigned(31 downto 0) := (others => '0');
+  signal least_of_one, most_of_one, least_count, most_count : unsigned(31 downto 0);
+  -- Of all charges but one.
+  signal least_of_more, most_of_more : unsigned(31 downto 0) := (others => '0');
   signal longest_settle : settle_t;
   signal any_locked : std_ulogic_vector(channels - 1 downto 0);
 
@@ -150,13 +151,17 @@ begin
       violated => watchdog_violated);
 
   -- A change of settings is two clocks older than the next write to a limit, and none comes in its clock.
-  charges <= resize(more_charges, 9) + 1;
+  -- The multipliers of an FPGA are slow: nothing is added up before them.
+  least_of_one <= resize(
+    resize(shift_right(clock_frequency_hz * to_unsigned(least_charge, 7), 20), 14), 32);
+  most_of_one <= resize(clock_frequency_hz(26 downto 4), 32);
+  least_count <= least_of_more + least_of_one;
+  most_count <= most_of_more + most_of_one;
   find_bounds : process
   begin
     wait until rising_edge(clk);
-    least_count <= resize(
-      resize(shift_right(clock_frequency_hz * to_unsigned(least_charge, 7), 20), 14) * charges, 32);
-    most_count <= clock_frequency_hz(26 downto 4) * charges;
+    least_of_more <= resize(least_of_one(13 downto 0) * more_charges, 32);
+    most_of_more <= resize(most_of_one(22 downto 0) * more_charges, 32);
     longest_settle <= resize(ticks_per_s * maximum_settle_s, longest_settle'length);
   end process;
 

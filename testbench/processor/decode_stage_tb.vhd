@@ -23,7 +23,7 @@ architecture simulation of decode_stage_tb is
     address => x"80000100");
   signal debug_request : debug_request_t := debug_request_idle;
   signal redirect, trap_enable, return_from_trap, bus_error, take_interrupt, flush : std_ulogic := '0';
-  signal forwarded_result, written_value : word_t := (others => '0');
+  signal forwarded_late, written_value : word_t := (others => '0');
   signal forward_late_result : std_ulogic := '0';
   signal writing : writing_t := (
     destination => "00000", from_memory => lanes_of('0', "000", "00"),
@@ -48,9 +48,10 @@ begin
       clk => clk, reset => reset, advance => advance, fetched => fetched,
       debug_request => debug_request, redirect => redirect, trap_enable => trap_enable,
       return_from_trap => return_from_trap, bus_error => bus_error, take_interrupt => take_interrupt,
-      flush => flush, forwarded_result => forwarded_result, forward_late_result => forward_late_result,
+      flush => flush, forwarded_late => forwarded_late, forwarded_early => x"00000000",
+      forward_late_result => forward_late_result,
       writing => writing, written_value => written_value, written_late => written_value,
-      written_early => x"00000000", prediction => prediction, issue => issue,
+      written_product => x"00000000", written_early => x"00000000", prediction => prediction, issue => issue,
       issue_executable => issue_executable, decoded => decoded, decoded_immediate => decoded_immediate,
       first_index => first_index, second_index => second_index, issued => executing,
       issued_condition => redirect_condition, issued_control => control, legal => legal,
@@ -98,7 +99,7 @@ begin
 
     -- Both operands are the result in execute.
     fetch(add_x2_x1_x1);
-    forwarded_result <= x"12345678";
+    forwarded_late <= x"12345678";
     wait_for_clock(clk);
     forwards_from_execute : assert first_operand = x"12345678" and second_operand = x"12345678" and
       hazard = '0' severity failure;

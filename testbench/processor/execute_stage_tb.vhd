@@ -33,7 +33,7 @@ architecture simulation of execute_stage_tb is
   signal bus_response : bus_response_t := bus_response_idle;
   signal data_address : unsigned(31 downto 0);
   signal data_misaligned, data_in_memory, bus_active, bus_done, bus_error, divider_done : std_ulogic;
-  signal forwarded_result, result, product : word_t;
+  signal forwarded_late, forwarded_early, result, product : word_t;
 
 begin
 
@@ -56,7 +56,8 @@ begin
       bus_response => bus_response, data_address => data_address, data_misaligned => data_misaligned,
       data_in_memory => data_in_memory, bus_active => bus_active, bus_done => bus_done,
       bus_error => bus_error, divider_done => divider_done, csr_data => csr_data,
-      forwarded_result => forwarded_result, result => result, product => product, manipulated => open);
+      forwarded_late => forwarded_late, forwarded_early => forwarded_early, result => result,
+      product => product, manipulated => open);
 
   test : process
 
@@ -77,7 +78,8 @@ begin
     wait_for_clock(clk);
 
     execute(add, x"00000007", x"00000005");
-    adds : assert result = x"0000000c" and forwarded_result = x"0000000c" severity failure;
+    adds : assert result = x"0000000c" and forwarded_late = x"0000000c" and forwarded_early = x"00000000"
+      severity failure;
     execute(mul, x"00000007", x"00000005");
     wait_for_clock(clk);
     multiplies : assert product = x"00000023" severity failure;
@@ -92,7 +94,8 @@ begin
     alternate_address <= x"80000004";
     result_is_address <= '1';
     execute(jal_x3_16, x"11111111", x"11111111");
-    links : assert result = x"80000004" and forwarded_result = x"80000004" severity failure;
+    links : assert result = x"80000004" and forwarded_late = x"00000000" and forwarded_early = x"80000004"
+      severity failure;
     result_is_address <= '0';
 
     csr_data <= x"c5c5c5c5";

@@ -19,7 +19,7 @@ architecture tb of operand_forwarding_tb is
   signal execute_writes, execute_late, write, forward_late_result, hazard : std_ulogic := '0';
   signal first_index, second_index, execute_destination, destination : register_index_t := "00001";
   signal immediate, execute_result, first, second : word_t := (others => '0');
-  signal write_data_late, write_data_early : word_t := (others => '0');
+  signal write_data_late, write_data_early, late_bits : word_t := (others => '0');
 
 begin
 
@@ -39,11 +39,13 @@ begin
       execute_writes => execute_writes,
       execute_destination => execute_destination,
       execute_late => execute_late,
-      execute_result => execute_result,
+      execute_result_late => execute_result and late_bits,
+      execute_result_early => execute_result and not late_bits,
       write => write,
       destination => destination,
       write_data => write_data_late or write_data_early,
-      write_data_late => write_data_late,
+      write_data_late => write_data_late and late_bits,
+      write_data_product => write_data_late and not late_bits,
       write_data_early => write_data_early,
       forward_late_result => forward_late_result,
       hazard => hazard,
@@ -149,6 +151,7 @@ begin
       execute_destination <= executing.destination;
       execute_late <= '1' when executing.late else '0';
       -- A late result is not available yet.
+      late_bits <= random_word;
       execute_result <= not executing.value when executing.late else executing.value;
       show_write_back(true);
       wait for 1 ns;

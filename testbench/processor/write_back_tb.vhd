@@ -21,7 +21,7 @@ architecture tb of write_back_tb is
   signal byte_index : std_ulogic_vector(1 downto 0) := "00";
   signal instruction, writing_instruction : word_t := x"00000013";
   signal result : word_t := x"11111111";
-  signal value, value_late, value_early : word_t;
+  signal value, value_late, value_product, value_early : word_t;
   signal writing : writing_t;
 
 begin
@@ -49,6 +49,7 @@ begin
       writing_instruction => writing_instruction,
       value => value,
       value_late => value_late,
+      value_product => value_product,
       value_early => value_early);
 
   check : process
@@ -62,9 +63,11 @@ begin
     begin
       assert writing.valid = valid and writing.writes = writes severity failure;
       assert writes = '0' or
-        (value = wanted and value = (value_late or value_early) and writing.destination = "00101" and
-         (or value_late) = '0') or
-        (value = wanted and value = value_late and (or value_early) = '0')
+        (value = wanted and value = (value_late or value_product or value_early) and
+         writing.destination = "00101" and
+         ((or value_late) nor (or value_product)) = '1') or
+        (value = wanted and value = value_late and ((or value_product) nor (or value_early)) = '1') or
+        (value = wanted and value = value_product and ((or value_late) nor (or value_early)) = '1')
         report to_hstring(value) severity failure;
     end procedure;
   begin

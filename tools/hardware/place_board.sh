@@ -40,5 +40,6 @@ awk -F, '
   "$project/boards/$board/connections.csv" > pins.json
 
 place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
-  --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${weights[@]}" --timing-allow-fail
+  --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${weights[@]}" --timing-allow-fail \
+  --pre-place "$project/tools/hardware/place_memory.py"
 "$project/tools/hardware/pack_bitstream.sh" layout.config "$contents" "$firmware" "$board.bit"

@@ -44,10 +44,11 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
 # Yosys has no delays for the block RAM, so it would optimise the wrong paths. For mapping, each
 # wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: these paths
 # are the longest even so and are mapped as short as they can be, and every other path may become as long.
+# It lies before the gates that join the banks, which are mapped with those behind them.
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
-    (I => O) = 4900;
+    (I => O) = 5100;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
@@ -60,7 +61,11 @@ cat > work/no_ways.v <<'END'
 module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
 END
-awk '
+awk -v banks=$banks '
+  BEGIN {
+    from_block_ram = banks == 1 ? "^ *assign (instruction_data|data) = [^;]*;" \
+                                : "^ *assign n[0-9]+_o = bank_(instruction|data)[[][0-9]+:[0-9]+[]];"
+  }
   /^module memory(_|$)/ { inside = 1 }
   inside && match($0, /^ *input +(\[[0-9]+:0\] )?(instruction|data)_request_[a-z_]+/) {
     width = $2 ~ /^\[/ ? $2 : "[0:0]"
@@ -72,16 +77,19 @@ awk '
     next
   }
   inside && !body { print; if (/\);/) { body = 1; printf "%s", ways }; next }
-  inside && match($0, /^ *assign (instruction_data|data) = [^;]*;/) {
+  inside && match($0, from_block_ram) {
     split($0, part, /[ =;]+/)
-    print "  way_from_block_ram way_from_" part[3] " [31:0] (.I(" part[4] "), .O(" part[3] "));"
-    next
+    split(part[4], bits, /[^0-9]+/)
+    if (banks == 1 || bits[2] - bits[3] == 31) {
+      print "  way_from_block_ram way_from_" part[3] " [31:0] (.I(" part[4] "), .O(" part[3] "));"
+      next
+    }
   }
   inside { gsub(/(instruction|data)_request_/, "near_&") }
   /^endmodule/ { inside = 0 }
   { print }
 ' work/synthesis.v > work/with_ways.v
-[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = 9 ] ||
+[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = $((banks > 1 ? 7 + 3 * banks : 9)) ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
 
 # Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these
@@ -98,7 +106,7 @@ awk -v wire=$wire '
 [ "$(grep -c '= 1[0-9]*;' work/cells.v)" = 21 ] ||
   { echo "failed: Yosys' cells have other delays than this script knows" >&2; exit 1; }
 
-# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 9.5 ns is not made
+# synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 8.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
@@ -106,7 +114,7 @@ step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;
-  abc9 -maxlut 4 -W $wire -D 9500;
+  abc9 -maxlut 4 -W $wire -D 8500;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# Run by nextpnr-ecp5 before it places: gives each block RAM of the chip's memory its place, in the
+# two rows of blocks that lie nearest to each other, around their middle, from the lowest bit of a
+# word to the highest. All over the device, as the placer leaves them, the processor's longest paths
+# would cross it.
+
+import re
+
+rows = {}
+for bel in ctx.getBels():
+    if ctx.getBelType(bel) == "DP16KD":
+        location = ctx.getBelLocation(bel)
+        rows.setdefault(location.y, []).append((location.x, bel))
+heights = sorted(rows)
+upper, lower = min(zip(heights, heights[1:]), key=lambda pair: pair[1] - pair[0])
+pairs = list(zip(sorted(rows[upper]), sorted(rows[lower])))
+
+# A bank's lane has some blocks, of one or more bits each.
+lanes = {}
+for name, cell in ctx.cells:
+    found = re.search(r"\.ram\.banks_n(\d+)_lanes_n(\d+)_bytes\.(\d+)\.(\d+)$", name)
+    if found and cell.type == "DP16KD":
+        bank, lane, column, row = map(int, found.groups())
+        lanes.setdefault((bank, lane), []).append((column, row, cell))
+if not lanes:
+    raise SystemExit("the memory has other names than rtl/memory/README.md says")
+blocks = []
+for (bank, lane), cells in lanes.items():
+    cells.sort(key=lambda block: block[:2])
+    for index, (_, _, cell) in enumerate(cells):
+        blocks.append((lane + (index + 0.5) / len(cells), bank, cell))
+blocks.sort(key=lambda block: block[:2])
+
+wide = (len(blocks) + 1) // 2
+first = (len(pairs) - wide) // 2
+if first >= 0:
+    for index, (_, _, cell) in enumerate(blocks):
+        cell.setAttr("BEL", pairs[first + index // 2][index % 2][1])
