@@ -44,11 +44,9 @@ TEST(WorstInputs, go_on_with_the_state_in_a_file) {
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / "worst_inputs.state";
   std::filesystem::remove(file);
-  search({.inputs = 40, .state = file});
-  EXPECT_EQ(search({.inputs = 1, .state = file}).inputs, 40U) << "they are there already";
-  const WorstInputs found = search({.inputs = 56, .state = file});
-  EXPECT_EQ(found.inputs, 56U);
-  const WorstInputs again = search({.inputs = 56, .state = file});
+  const WorstInputs found = search({.inputs = 40, .state = file});
+  const WorstInputs again = search({.inputs = 1, .state = file});
+  EXPECT_EQ(again.inputs, 40U) << "they are there already";
   for (std::size_t task = 0; task < found.rows.size(); ++task) {
     EXPECT_EQ(again.rows[task].measured.longest, found.rows[task].measured.longest);
   }
