@@ -5,19 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <thread>
-#include <utility>
 
 #include "tools/command/build.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
+#include "tools/command/search_state_file.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/task_times.hpp"
-#include "tools/files/file_text.hpp"
-#include "tools/files/write_file.hpp"
 #include "tools/worst_inputs/hard_inputs.hpp"
 #include "tools/worst_inputs/search.hpp"
 #include "tools/worst_inputs/starts.hpp"
@@ -26,62 +22,14 @@ namespace command {
 
 namespace {
 
-// Each start has some generations, and none is smaller than the first inputs. The same on every
-// machine, for the same seed is to find the same.
+// Eight for each start where that makes no small ones. The same on every machine, for the same seed
+// is to find the same.
 std::uint64_t inputs_of_a_generation(std::uint64_t inputs, std::uint64_t starts) {
   constexpr std::uint64_t generations = 8, least = 32, most = 512;
   return std::clamp(inputs / (generations * starts), least, most);
 }
 
 constexpr std::array functions{"gcode::parse", "motion::Planner::append"};
-
-// A search's state in a file, with what it is a search of.
-class StateFile {
- public:
-  StateFile(std::filesystem::path file, const sim::ElfImage& firmware, std::uint64_t seed)
-      : file_(std::move(file)) {
-    if (file_.empty()) return;
-    // What the search does is in the program itself.
-    for (const std::uint64_t part :
-         {std::hash<std::string>()(files::text_of("/proc/self/exe")), seed}) {
-      for (unsigned shift = 0; shift < 64; shift += 8) {
-        of_.push_back(static_cast<std::uint8_t>(part >> shift));
-      }
-    }
-    for (const sim::ElfSegment& segment : firmware.segments) {
-      of_.insert(of_.end(), segment.bytes.begin(), segment.bytes.end());
-    }
-  }
-
-  bool is_there() const { return !file_.empty() && std::filesystem::exists(file_); }
-
-  void resume(worst_inputs::Search& search) const try {
-    const auto all = nlohmann::json::from_cbor(files::text_of(file_));
-    if (all.at("of").get_binary() != of_) {
-      throw std::runtime_error("it is of another firmware, program or seed");
-    }
-    const auto& state = all.at("search").get_binary();
-    search.resume({state.begin(), state.end()});
-  } catch (const std::exception& error) {
-    throw std::runtime_error(
-        fmt::format("cannot go on with the search in {}: {}; remove it, or name another file",
-                    file_.string(), error.what()));
-  }
-
-  void write(const worst_inputs::Search& search) const {
-    if (file_.empty()) return;
-    const std::string state = search.state();
-    const nlohmann::json all{{"of", of_},
-                             {"search", nlohmann::json::binary_t({state.begin(), state.end()})}};
-    std::string bytes;
-    nlohmann::json::to_cbor(all, bytes);
-    files::write_file(file_, bytes);
-  }
-
- private:
-  std::filesystem::path file_;
-  nlohmann::json::binary_t of_;
-};
 
 // What is looked at clock by clock.
 struct Watched {
@@ -143,7 +91,7 @@ WorstInputs search_worst_inputs(const timing::Program& program, const timing::Co
     }
     return true;
   };
-  const StateFile state(wanted.state, firmware, wanted.seed);
+  const SearchStateFile state(wanted.state, firmware, wanted.seed);
   if (state.is_there()) state.resume(search);
   const std::uint64_t generation = inputs_of_a_generation(wanted.inputs, starts.size());
   Progress progress;

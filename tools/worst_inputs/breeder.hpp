@@ -21,7 +21,8 @@ class Breeder {
   // The beginning of one, the end of the other.
   SerialInput crossed(const SerialInput& one, const SerialInput& other);
 
-  // What follows from it.
+  // Of its random numbers: all that it makes follows from it. Throws std::runtime_error where the
+  // text is none.
   std::string state() const;
   void resume(const std::string& state);
 
@@ -42,7 +43,7 @@ class Breeder {
   std::mt19937_64 random_;
 };
 
-// Bred ones are cut there: two of the longest lines, and the beginning of a third.
+// Bred ones are cut there: two of the longest lines.
 inline constexpr std::size_t most_bytes = 224;
 
 }  // namespace worst_inputs
