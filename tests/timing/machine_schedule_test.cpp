@@ -18,7 +18,7 @@ constexpr Rate slow{4'000'000, 250'000}, fast{50'000'000, 250'000};
 
 // All that has a bound has this one, but for the tasks.
 Schedule schedule_with(Clocks of_all, Clocks of_planning) {
-  Schedule schedule{.facts = {}, .load = {}, .rows = {}};
+  Schedule schedule{.facts = {}, .load = {}, .rows = {}, .problems = {}};
   Load& load = schedule.load;
   load.tasks.fill(of_all);
   load.gaps.fill(100);
@@ -30,21 +30,27 @@ Schedule schedule_with(Clocks of_all, Clocks of_planning) {
   return schedule;
 }
 
+MachineDescription plain() {
+  MachineDescription machine;
+  machine.baud = slow.baud;
+  return machine;
+}
+
 MachineDescription levelled() {
   static const motion::LevellingSettings settings{};
-  MachineDescription machine;
+  MachineDescription machine = plain();
   machine.levelling = &settings;
   return machine;
 }
 
 MachineDescription delta() {
-  MachineDescription machine;
+  MachineDescription machine = plain();
   machine.kinematics = motion::kinematics::Delta::Parameters{};
   return machine;
 }
 
 MachineDescription shaped() {
-  MachineDescription machine;
+  MachineDescription machine = plain();
   machine.shaping = motion::ShapingSettings{};
   return machine;
 }
@@ -87,6 +93,67 @@ TEST(MachineSchedule, of_shaped_motion_and_s_curves_is_left_out) {
   EXPECT_EQ(refusal_of(schedule_with(8'000, 2'000'000), shaped(), slow), "");
   EXPECT_THAT(refusal_of(schedule_with(8'000, 10'000), shaped(), {4'000'000, 3'000'000}),
               HasSubstr("a bit of the serial line"));
+}
+
+// Without a task's bound.
+Schedule schedule_without_planning() {
+  Schedule schedule = schedule_with(8'000, 8'000);
+  schedule.load.tasks[static_cast<std::size_t>(Task::planning)].reset();
+  schedule.rows = {{.name = "the pass", .bound = 8'000, .budget = 0, .measured = {}}};
+  for (const application::TaskRow& task : application::task_table) {
+    schedule.rows.push_back({.name = std::string(task.name),
+                             .bound = task.task == Task::planning ? std::optional<Clocks>() : 8'000,
+                             .budget = 0,
+                             .measured = {}});
+  }
+  schedule.problems = {{.place = "a.cpp:7",
+                        .function = "plan",
+                        .what = "a loop has no bound",
+                        .remedy = "declare one"}};
+  return schedule;
+}
+
+TEST(MachineSchedule, refuses_what_has_no_bound_with_place_and_remedy) {
+  for (const std::optional<std::uint32_t> clock_hz : {std::optional(fast.clock_hz), {}}) {
+    for (const MachineDescription& machine : {plain(), levelled(), delta()}) {
+      const Verdict verdict = verdict_on(schedule_without_planning(), machine, clock_hz, "m.toml");
+      EXPECT_TRUE(verdict.is_refused);
+      EXPECT_EQ(verdict.text,
+                "m.toml: not schedulable:\n"
+                "  \"planning: stops, chords, homing\" has no bound\n"
+                "a.cpp:7: in plan: a loop has no bound: declare one\n");
+    }
+  }
+}
+
+TEST(MachineSchedule, says_what_has_no_bound_where_that_is_left_out) {
+  MachineDescription for_speed = plain();
+  for_speed.fast = true;
+  for (const MachineDescription& machine : {for_speed, shaped()}) {
+    const Verdict verdict = verdict_on(schedule_without_planning(), machine, {}, "m.toml");
+    EXPECT_FALSE(verdict.is_refused);
+    EXPECT_THAT(verdict.text, HasSubstr("not checked: \"planning: stops, chords, homing\" has"));
+    EXPECT_THAT(verdict.text, HasSubstr("not checked: any deadline: " + left_out(machine).reason));
+  }
+}
+
+TEST(MachineSchedule, is_checked_at_the_clock_or_at_any) {
+  const Schedule good = schedule_with(8'000, 8'000), bad = schedule_with(8'000, 90'000);
+  EXPECT_EQ(verdict_on(good, plain(), fast.clock_hz, "m").text,
+            "m: schedulable at 50000000 Hz and 250000 baud\n");
+  EXPECT_THAT(verdict_on(good, plain(), {}, "m").text, HasSubstr("m: schedulable at "));
+  EXPECT_FALSE(verdict_on(good, plain(), {}, "m").is_refused);
+  for (const std::optional<std::uint32_t> clock_hz : {std::optional(fast.clock_hz), {}}) {
+    const Verdict verdict = verdict_on(bad, plain(), clock_hz, "m");
+    EXPECT_TRUE(verdict.is_refused);
+    EXPECT_THAT(verdict.text, HasSubstr("m: not schedulable at "));
+    EXPECT_THAT(verdict.text, HasSubstr("a shorter pass"));
+  }
+  // What no clock of the table helps is refused of the others too.
+  const Schedule hopeless = schedule_with(8'000'000, 8'000);
+  const Verdict verdict = verdict_on(hopeless, delta(), {}, "m");
+  EXPECT_TRUE(verdict.is_refused);
+  EXPECT_THAT(verdict.text, HasSubstr("M112 stops"));
 }
 
 }  // namespace

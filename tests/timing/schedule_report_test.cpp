@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "directories.hpp"
@@ -27,7 +28,8 @@ Schedule schedule_with(std::optional<Clocks> pass, std::optional<Clocks> each) {
                              .gaps = {},
                              .line = 1'000,
                              .refill_without_line = 100},
-                    .rows = {}};
+                    .rows = {},
+                    .problems = {}};
   schedule.load.tasks.fill(each);
   schedule.load.gaps.fill(10);
   schedule.rows.push_back({.name = "the pass", .bound = pass, .budget = 0, .measured = {}});
@@ -78,6 +80,18 @@ TEST(ScheduleReport, has_the_lowest_clock_of_each_offered_rate) {
   }
   EXPECT_EQ(json["responses"].size(),
             offered_baud_rates().size() * std::size(table_clocks_hz) * requirement_count);
+}
+
+TEST(ScheduleReport, has_a_requirement_of_each_task_with_a_deadline) {
+  std::set<units::Task> required;
+  for (std::size_t i = 0; i < requirement_count; ++i) {
+    required.insert(row_of(static_cast<Requirement>(i)).task);
+  }
+  required.insert(units::Task::rest);  // the second key of the heaters' watchdog
+  for (const application::TaskRow& task : application::task_table) {
+    if (task.reason.empty()) continue;
+    EXPECT_TRUE(required.contains(task.task)) << task.name;
+  }
 }
 
 // Of a VHDL source, what the only group of the expression matches.

@@ -258,6 +258,7 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
     return *respond(requirement, facts, load, {4'000'000, 1'000'000}).worst;
   };
   EXPECT_EQ(worst(Requirement::emergency_stop), 12'020u);
+  EXPECT_EQ(worst(Requirement::stop_settled), 12'020u);
   EXPECT_EQ(worst(Requirement::allowances), 3'000u);
   // 3 us, a gap, a pass, and two lines behind one another, of which the first lasts 400 clocks.
   EXPECT_EQ(worst(Requirement::reserve), 12u + 10 + 300 + (100 + 1'000) - 400);

@@ -44,6 +44,8 @@ std::vector<Fault> wrong_flow() {
        [](Tool& tool) { tool.replace(place::limited_choice, encode::jump_and_link(0, 8)); }},
       {"an edge lost", "back to the start of a declared loop", measured_time,
        [](Tool& tool) { tool.replace(place::back, encode::nop()); }},
+      {"an edge lost", "out of a jump to itself, which is no halt", refusal,
+       [](Tool& tool) { tool.replace(place::limited_choice, encode::jump_and_link(0, 0)); }},
       {"an edge too much", "into the middle of a loop", refusal,
        [](Tool& tool) { tool.replace(place::run_begins - 1, encode::branch(0, 10, 0, 12)); }},
       {"a call's target wrong", "the shorter of two functions", measured_time,

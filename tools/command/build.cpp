@@ -74,21 +74,19 @@ std::int64_t missing_bytes(const std::filesystem::path& image,
   return std::max<std::int64_t>(*needed, least) - left;
 }
 
-// Throws std::runtime_error where the main loop misses a deadline at the clock of its description.
+// Throws std::runtime_error where the main loop has no bound, or misses a deadline at the clock of
+// its description.
 void check_schedule(const std::filesystem::path& image, const std::filesystem::path& description,
                     const machine_generator::Machine& machine) {
-  if (!machine.clock_hz) return;
   timing::Program program = timing::read_program(image);
   program.memory_bytes =
       std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES);
   const auto schedule = timing::schedule_of(
       program, timing::Costs{processor::TimingTable()}, CHIP_HAS_ZBB,
       application::schedule_facts(machine.description.fast, machine.description.is_heavy()));
-  const timing::Rate rate{*machine.clock_hz, machine.description.baud};
-  const std::string refusal = timing::refusal_of(schedule, machine.whole(), rate);
-  if (refusal.empty()) return;
-  throw std::runtime_error(fmt::format("{}: not schedulable at {} Hz and {} baud:\n{}",
-                                       description.string(), rate.clock_hz, rate.baud, refusal));
+  const timing::Verdict verdict =
+      timing::verdict_on(schedule, machine.whole(), machine.clock_hz, description.string());
+  if (verdict.is_refused) throw std::runtime_error(verdict.text);
 }
 
 // As tools/machine_generator has it.

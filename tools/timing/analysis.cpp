@@ -89,19 +89,26 @@ std::optional<Networks> Analysis::networks(Address function) {
 
 std::optional<Clocks> Analysis::round(Address function) {
   const Entry entry = entry_of(program_, function);
-  const auto found =
-      measure(entry, state_in_callee(program_, State::at_start()),
-              [](FunctionNetwork& network, const Link& link) { return network.round(link); });
-  return found ? std::optional(found->clocks) : std::nullopt;
+  return part_of(entry,
+                 [](FunctionNetwork& network, const Link& link) { return network.round(link); });
 }
 
 std::optional<Clocks> Analysis::span(Address function, const std::set<Address>& begins,
                                      const std::set<Address>& ends) {
   const Entry entry = entry_of(program_, function);
-  const auto found = measure(
-      entry, state_in_callee(program_, State::at_start()),
-      [&](FunctionNetwork& network, const Link& link) { return network.span(link, begins, ends); });
-  return found ? std::optional(found->clocks) : std::nullopt;
+  return part_of(entry, [&](FunctionNetwork& network, const Link& link) {
+    return network.span(link, begins, ends);
+  });
+}
+
+std::optional<Clocks> Analysis::part_of(Entry entry, const Part& part) {
+  try {
+    const auto found = measure(entry, state_in_callee(program_, State::at_start()), part);
+    if (found) return found->clocks;
+  } catch (const Unbounded& error) {
+    add(error.problem());
+  }
+  return std::nullopt;
 }
 
 Address Analysis::round_start(Address function) {

@@ -35,6 +35,7 @@ class Analysis {
   // What the bound is computed from; nothing where there are problems.
   std::optional<Networks> networks(Address function);
   const std::set<Problem>& problems() const { return tree_.problems(); }
+  void add(Problem problem) { tree_.add(std::move(problem)); }
   void forget_problems() { tree_.forget_problems(); }
 
  private:
@@ -49,6 +50,7 @@ class Analysis {
   // Of the function asked for: all of it, or some of its ways.
   using Part = std::function<std::optional<Network>(FunctionNetwork&, const Link&)>;
 
+  std::optional<Clocks> part_of(Entry entry, const Part& part);
   std::optional<Bound> bound(Entry entry, const State& at_call);
   std::optional<Bound> measure(Entry entry, const State& start, const Part& part);
 

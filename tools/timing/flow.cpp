@@ -49,6 +49,14 @@ std::optional<Address> place_that_enables_interrupts(const Program& program, boo
   return std::nullopt;
 }
 
+void refuse_interrupts(const Program& program, bool has_zbb) {
+  if (const auto place = place_that_enables_interrupts(program, has_zbb)) {
+    throw std::runtime_error(program.place_of(*place) + ": in " + program.name_of(*place) +
+                             ": interrupts are enabled, whose time no bound contains: leave them "
+                             "disabled, and look at them in the main loop");
+  }
+}
+
 Instruction Flows::at(Address address) const {
   return processor::decode(program_.word_at(address), address, has_zbb_);
 }

@@ -65,5 +65,7 @@ class Flows {
 
 // In all the code: nothing where no interrupt ever runs code. Bounds hold for such programs only.
 std::optional<Address> place_that_enables_interrupts(const Program& program, bool has_zbb);
+// Throws std::runtime_error where there is one.
+void refuse_interrupts(const Program& program, bool has_zbb);
 
 }  // namespace timing

@@ -69,14 +69,17 @@ std::optional<Clocks> FunctionNetwork::most_rounds(const Loop& loop) {
 }
 
 bool FunctionNetwork::only_sleeps(const Loop& loop) const {
+  bool sleeps = false;
   for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
+    if (!loop.nodes[node]) continue;
     const Operation operation = flow_.nodes[node].instruction.operation;
-    if (loop.nodes[node] && operation != Operation::wait_for_interrupt &&
-        operation != Operation::jump) {
+    if (operation == Operation::wait_for_interrupt) {
+      sleeps = true;
+    } else if (operation != Operation::jump) {
       return false;
     }
   }
-  return true;
+  return sleeps;
 }
 
 bool FunctionNetwork::has_end(const Loop& loop) const {

@@ -5,6 +5,7 @@
 #include <compare>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace timing {
 
@@ -16,10 +17,15 @@ struct Problem {
   auto operator<=>(const Problem&) const = default;
 };
 
+// "FILE:LINE: in FUNCTION: WHAT: REMEDY".
+inline std::string to_text(const Problem& problem) {
+  return problem.place + ": in " + problem.function + ": " + problem.what + ": " + problem.remedy;
+}
+
 class Unbounded : public std::runtime_error {
  public:
   explicit Unbounded(Problem problem)
-      : std::runtime_error(problem.what), problem_(std::move(problem)) {}
+      : std::runtime_error(to_text(problem)), problem_(std::move(problem)) {}
   const Problem& problem() const { return problem_; }
 
  private:

@@ -13,10 +13,7 @@ namespace timing {
 
 std::vector<Row> bounds(const Program& program, const Costs& costs, bool has_zbb,
                         const std::vector<std::string>& names) {
-  if (const auto place = place_that_enables_interrupts(program, has_zbb)) {
-    throw std::runtime_error(program.place_of(*place) +
-                             " enables interrupts, whose time no bound contains");
-  }
+  refuse_interrupts(program, has_zbb);
   std::vector<Address> functions;
   for (const std::string& name : names) {
     const auto found = program.find(name);
@@ -84,10 +81,7 @@ std::string to_text(const std::vector<Row>& rows) {
       text += fmt::format("{:>12}        {} {}\n", "no bound", stack_text(row), row.name);
     }
   }
-  for (const Problem& problem : problems) {
-    text += fmt::format("{}: in {}: {}: {}\n", problem.place, problem.function, problem.what,
-                        problem.remedy);
-  }
+  for (const Problem& problem : problems) text += to_text(problem) + "\n";
   return text + fmt::format("{} of {} functions have a bound\n", bounded, rows.size());
 }
 

@@ -22,6 +22,7 @@ constexpr std::array<RequirementRow, requirement_count> rows{{
     {Task::commands, "a host's line has a sign of life within 2 s", "clocks", false},
     {Task::serial_line, "M112 stops", "clocks", false},
     {Task::faults, "the emergency stop's fault is noted", "clocks", false},
+    {Task::planning, "a stop is settled", "clocks", false},
     {Task::motion, "motion's watchdog is fed", "clocks", false},
     {Task::refill, "each task keeps to its allowance", "clocks", true},
     {Task::refill, "the reserve lasts until a line is there", "clocks", true},
@@ -168,6 +169,8 @@ Response Situation::response(Requirement requirement) const {
                     at_most(facts_.stop_by_host_within_ms));
     case Requirement::emergency_stop:
       return within(served(Task::faults, 1), at_most(facts_.stop_within_ms));
+    case Requirement::stop_settled:
+      return within(served(Task::planning, 1), at_most(facts_.stop_within_ms));
     case Requirement::motion_watchdog:
       return within(pass() + sleep() + thousand * *load_.start + bound(Task::motion) + thousand,
                     at_least(facts_.motion_watchdog_ms));

@@ -71,6 +71,7 @@ enum class Requirement : std::uint8_t {
   sign_of_life,
   stop_by_host,
   emergency_stop,
+  stop_settled,
   motion_watchdog,
   allowances,
   reserve,

@@ -80,10 +80,18 @@ std::string to_text(const ClockRange& range) {
 std::vector<std::uint32_t> offered_baud_rates() { return {std::begin(rates), std::end(rates)}; }
 
 Schedule schedule_of(const Program& program, const Costs& costs, bool has_zbb, const Facts& facts) {
+  refuse_interrupts(program, has_zbb);
   Analysis analysis(program, costs, has_zbb);
-  Schedule schedule{.facts = facts, .load = {}, .rows = task_rows(program, analysis)};
-  schedule.load = load_of(program, analysis, schedule.rows);
-  schedule.load.refill_without_line = refill_without_line(program, costs, has_zbb);
+  Schedule schedule{
+      .facts = facts, .load = {}, .rows = task_rows(program, analysis), .problems = {}};
+  try {
+    schedule.load = load_of(program, analysis, schedule.rows);
+  } catch (const Unbounded& error) {
+    analysis.add(error.problem());
+  }
+  schedule.problems = analysis.problems();
+  schedule.load.refill_without_line =
+      refill_without_line(program, costs, has_zbb, schedule.problems);
   return schedule;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,10 @@ struct Schedule {
   Facts facts;
   Load load;
   std::vector<TaskRow> rows;
+  std::set<Problem> problems;  // why something has no bound
 };
 
-// Of the image. Throws std::runtime_error where it lacks marks.
+// Of the image. Throws std::runtime_error where it lacks marks, or enables interrupts.
 Schedule schedule_of(const Program& program, const Costs& costs, bool has_zbb, const Facts& facts);
 
 // "the task reports at intervals has no bound", for each that has none, for the pass, and for what

@@ -110,13 +110,26 @@ Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskR
             .line = {},
             .refill_without_line = {}};
   const auto handing_over = program.find("MotionTask::hand_over_line");  // where it is not inlined
-  if (handing_over.size() == 1) load.line = analysis.bound(handing_over[0]);
+  if (handing_over.size() == 1) {
+    load.line = analysis.bound(handing_over[0]);
+  } else {
+    analysis.add({.place = program.place_of(main),
+                  .function = "MotionTask::hand_over_line",
+                  .what = "the image has no such function",
+                  .remedy = "keep the compiler from inlining it"});
+  }
   std::set<Address> begins{start};
   for (std::uint32_t task = 0; task < task_count; ++task) {
     load.tasks[task] = rows.at(1 + task).bound;
     const Places places = places_of(program, task);
     // Where the compiler has not inlined the loop's body there is no way within one function.
-    if (program.function_at(*places.begins.begin()) != main) return load;
+    if (const Address begin = *places.begins.begin(); program.function_at(begin) != main) {
+      analysis.add({.place = program.place_of(begin),
+                    .function = program.name_of(begin),
+                    .what = "a task begins in a function that main's loop calls",
+                    .remedy = "have the compiler inline it"});
+      return load;
+    }
     begins.insert(places.begins.begin(), places.begins.end());
   }
   load.start = analysis.span(main, {start}, begins);
@@ -126,8 +139,8 @@ Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskR
   return load;
 }
 
-std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs,
-                                          bool has_zbb) {
+std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs, bool has_zbb,
+                                          std::set<Problem>& problems) {
   Program without = program;
   for (EventMarker& marker : without.event_markers) {
     if (marker.event == static_cast<std::uint32_t>(units::Event::line_begun)) marker.most = 0;
@@ -138,7 +151,10 @@ std::optional<Clocks> refill_without_line(const Program& program, const Costs& c
   }
   const Places places = places_of(without, static_cast<std::uint32_t>(Task::refill));
   const Address function = without.function_at(*places.begins.begin());
-  return Analysis(without, costs, has_zbb).span(function, places.begins, places.ends);
+  Analysis analysis(without, costs, has_zbb);
+  const auto bound = analysis.span(function, places.begins, places.ends);
+  problems.insert(analysis.problems().begin(), analysis.problems().end());
+  return bound;
 }
 
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,9 @@ void add_measured(std::vector<TaskRow>& rows, const Calls& calls);
 
 // What schedule.hpp needs of the image, but for the refill without a line.
 Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows);
-// The refill where no line begins: to bind it the image's facts are changed.
-std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs, bool has_zbb);
+// The refill where no line begins: to bind it the image's facts are changed. Adds why it has none.
+std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs, bool has_zbb,
+                                          std::set<Problem>& problems);
 
 // At so many clocks per second.
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz);
