@@ -12,6 +12,7 @@
 #include "tools/command/output.hpp"
 #include "tools/command/task_times.hpp"
 #include "tools/command/worst_inputs_job.hpp"
+#include "tools/timing/machine_schedule.hpp"
 #include "tools/timing/report.hpp"
 #include "tools/timing/schedule_report.hpp"
 
@@ -90,6 +91,9 @@ int schedule_of(const timing::Program& program, const timing::Costs& costs, bool
   const auto& machine = machine::machine;
   const auto facts = application::schedule_facts(machine.fast, machine.is_heavy());
   const auto schedule = timing::schedule_of(program, costs, CHIP_HAS_ZBB, facts);
+  if (const auto left = timing::left_out(machine); !left.reason.empty() && !json) {
+    say("of this machine not all that follows is proved: {}\n\n", left.reason);
+  }
   say("{}", json ? timing::to_json(schedule) : timing::to_text(schedule));
   return timing::is_schedulable(schedule) ? success : failure;
 }
