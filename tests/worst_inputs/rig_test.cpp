@@ -111,6 +111,12 @@ TEST_F(RigTest, has_each_start_in_the_state_that_it_names) {
             5 * of(slices.at("at rest"), units::Task::reports));
 }
 
+// Which has no passes, and does not sleep behind bytes that are not for it.
+TEST_F(RigTest, ends_an_input_in_the_boot_loader) {
+  const SerialInput input{{.pause_us = 0, .bytes = "M997\nMTE5\nM410\nM"}};
+  EXPECT_GT(of(rig.measure({}, {input}, 1).at(0), units::Task::commands), 0U);
+}
+
 TEST_F(RigTest, sees_a_pass_without_an_end) {
   sim::ElfImage faulty = firmware;
   const timing::Address halt =

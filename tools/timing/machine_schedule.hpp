@@ -29,8 +29,7 @@ struct Verdict {
   bool is_refused{};
   std::string text;  // lines: what is not proved, and the result or the reasons with a remedy
 };
-// On the image for the machine of that name. Without a clock only what no clock would help is
-// refused.
+// On the image for the machine of that name. Without a clock, what no clock helps is refused.
 Verdict verdict_on(const Schedule& schedule, const application::MachineDescription& machine,
                    std::optional<std::uint32_t> clock_hz, const std::string& name);
 

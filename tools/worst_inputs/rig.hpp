@@ -50,13 +50,14 @@ class Rig {
   std::uint32_t lines_accepted() const;
   bool is_idle();
   bool is_asleep();
+  bool is_in_boot_loader() const;
   sim::Clock clocks(double seconds) const;
   void run_for(sim::Clock clocks);
   void settle(int looks, sim::Clock end);
   void end_pass();
 
   sim::Clock longest_pass_;
-  std::uint32_t statistics_;
+  std::uint32_t statistics_, boot_loader_;
   std::function<void()> each_clock_;  // where it is set, called behind each one
   sim::VerilatedChip chip_;
   sim::Simulation simulation_;
