@@ -26,15 +26,15 @@ entity decode_stage is
     bus_error : in std_ulogic;
     take_interrupt : in std_ulogic;
     flush : in std_ulogic;
-    -- Results to forward: of execute, unless it is late, and of write-back.
+    -- Results to forward: of execute, unless it is late, of write-back and of register write.
     forwarded_late : in word_t;
     forwarded_early : in word_t;
     forward_late_result : in std_ulogic;
     writing : in writing_t;
-    written_value : in word_t;
     written_late : in word_t;
     written_product : in word_t;
     written_early : in word_t;
+    register_write : in register_write_t;
     prediction : out prediction_t;
     -- The instruction in decode: it is issued, and executable; control signals, immediate, source registers.
     issue : out std_ulogic;
@@ -168,10 +168,10 @@ begin
       execute_result_early => forwarded_early,
       write => writing.writes,
       destination => writing.destination,
-      write_data => written_value,
       write_data_late => written_late,
       write_data_product => written_product,
       write_data_early => written_early,
+      register_write => register_write,
       forward_late_result => forward_late_result,
       hazard => hazard,
       first => first_operand,

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Operand read in decode, with forwarding from execute and write-back, so that operands are registered when
--- execute begins; detects load-use hazards.
+-- Operand read in decode, with forwarding from execute, write-back and register write, so that operands are
+-- registered when execute begins; detects load-use hazards.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -27,13 +27,14 @@ entity operand_forwarding is
     execute_late : in std_ulogic;
     execute_result_late : in word_t;
     execute_result_early : in word_t;
-    -- Write-back; `write_data` is the OR of two such parts and of one that settles between them.
+    -- Write-back; its result is the OR of two such parts and of one that settles between them.
     write : in std_ulogic;
     destination : in register_index_t;
-    write_data : in word_t;
     write_data_late : in word_t;
     write_data_product : in word_t;
     write_data_early : in word_t;
+    -- Register write: the same a clock later.
+    register_write : in register_write_t;
     -- The operands of the instruction in execute. Load-use hazard: one of them is a late result; the
     -- instruction stalls until this is written and forwarded, in the clock of `forward_late_result`.
     forward_late_result : in std_ulogic;
@@ -45,7 +46,7 @@ end entity;
 
 architecture rtl of operand_forwarding is
 
-  signal first_in_register, second_in_register : word_t;
+  signal first_in_register, second_in_register, first_written, second_written : word_t;
   -- Settle early in the clock.
   signal first_early, second_early, first_settled, second_settled : word_t;
   -- All but what write-back's memory data adds.
@@ -53,6 +54,7 @@ architecture rtl of operand_forwarding is
   signal first_hazard, second_hazard : std_ulogic := '0';
   signal update_first, update_second, first_from_write_back, second_from_write_back : std_ulogic;
   signal first_matches, second_matches, first_from_execute, second_from_execute : std_ulogic;
+  signal first_is_written, second_is_written : std_ulogic;
   signal first_from_write_back_only, second_from_write_back_only : std_ulogic;
 
 begin
@@ -64,9 +66,9 @@ begin
       first => first_in_register,
       second_index => second_index,
       second => second_in_register,
-      write => write,
-      write_index => destination,
-      write_data => write_data);
+      write => register_write.enable,
+      write_index => register_write.destination,
+      write_data => register_write.data);
 
   first_matches <= execute_writes and (execute_destination ?= first_index);
   second_matches <= execute_writes and (execute_destination ?= second_index) and not second_is_immediate;
@@ -76,10 +78,15 @@ begin
   first_from_write_back <= first_hazard or (write and (destination ?= first_index));
   second_from_write_back <= second_hazard or
                             (write and (destination ?= second_index) and not second_is_immediate);
-  first_early <= write_data_early when first_from_write_back else first_in_register;
-  second_early <= write_data_early when second_from_write_back else
-                  immediate when second_is_immediate else
-                  second_in_register;
+  -- The register file reads what it held before this clock's write.
+  first_is_written <= register_write.enable and (register_write.destination ?= first_index);
+  second_is_written <= register_write.enable and (register_write.destination ?= second_index);
+  first_written <= register_write.data when first_is_written else first_in_register;
+  second_written <= immediate when second_is_immediate else
+                    register_write.data when second_is_written else
+                    second_in_register;
+  first_early <= write_data_early when first_from_write_back else first_written;
+  second_early <= write_data_early when second_from_write_back else second_written;
 
   -- Execute holds the newer result. Critical path: memory data passes one gate, the results of execute two,
   -- products three.

@@ -97,6 +97,7 @@ architecture rtl of processor is
   signal writing : writing_t;
   signal writing_instruction, product, manipulated : word_t;
   signal written_value, written_late, written_product, written_early : word_t;
+  signal register_write : register_write_t;
 
 begin
 
@@ -132,9 +133,9 @@ begin
       debug_request => debug_request, redirect => redirect.enable, trap_enable => trap.enable,
       return_from_trap => return_from_trap, bus_error => bus_error, take_interrupt => take_interrupt,
       flush => flush, forwarded_late => forwarded_late, forwarded_early => forwarded_early,
-      forward_late_result => forward_late_result, writing => writing, written_value => written_value,
-      written_late => written_late, written_product => written_product,
-      written_early => written_early, prediction => prediction, issue => issue,
+      forward_late_result => forward_late_result, writing => writing, written_late => written_late,
+      written_product => written_product, written_early => written_early,
+      register_write => register_write, prediction => prediction, issue => issue,
       issue_executable => issue_executable, decoded => decoded, decoded_immediate => decoded_immediate,
       first_index => first_index, second_index => second_index, issued => executing,
       issued_condition => redirect_condition, issued_control => control, legal => legal,
@@ -243,6 +244,15 @@ begin
       value_late => written_late,
       value_product => written_product,
       value_early => written_early);
+
+  register_write_stage : entity work.register_write
+    port map (
+      clk => clk,
+      writing => writing,
+      memory_data => memory_data,
+      value_product => written_product,
+      value_early => written_early,
+      write => register_write);
 
   asleep <= executable and not bus_active and control.wait_for_interrupt and not wake_request;
   sleeping <= asleep;

@@ -155,6 +155,13 @@ package processor_pkg is
     from_bus : load_lanes_t;
   end record;
 
+  -- A write to the register file.
+  type register_write_t is record
+    enable : std_ulogic;
+    destination : register_index_t;
+    data : word_t;
+  end record;
+
   -- A CSR instruction in the execute stage.
   type csr_request_t is record
     -- The instruction executes in this clock; cancelled by an interrupt.

@@ -33,8 +33,8 @@ entity write_back is
     retire : out std_ulogic;
     writing : out writing_t;
     writing_instruction : out word_t;
-    -- The result, and its parts, of which all but one are zero: what settles late in the clock, a product,
-    -- and the rest.
+    -- The result (for the trace and the debug module), and its parts, of which all but one are zero: what
+    -- settles late in the clock, a product, and the rest.
     value : out word_t;
     value_late : out word_t;
     value_product : out word_t;

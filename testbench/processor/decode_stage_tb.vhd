@@ -28,6 +28,8 @@ architecture simulation of decode_stage_tb is
   signal writing : writing_t := (
     destination => "00000", from_memory => lanes_of('0', "000", "00"),
     from_bus => lanes_of('0', "000", "00"), others => '0');
+  signal register_write : register_write_t := (
+    enable => '0', destination => "00000", data => (others => '0'));
   signal prediction : prediction_t;
   signal issue, issue_executable : std_ulogic;
   signal decoded, control : control_t;
@@ -50,8 +52,8 @@ begin
       return_from_trap => return_from_trap, bus_error => bus_error, take_interrupt => take_interrupt,
       flush => flush, forwarded_late => forwarded_late, forwarded_early => x"00000000",
       forward_late_result => forward_late_result,
-      writing => writing, written_value => written_value, written_late => written_value,
-      written_product => x"00000000", written_early => x"00000000", prediction => prediction, issue => issue,
+      writing => writing, written_late => written_value, written_product => x"00000000",
+      written_early => x"00000000", register_write => register_write, prediction => prediction, issue => issue,
       issue_executable => issue_executable, decoded => decoded, decoded_immediate => decoded_immediate,
       first_index => first_index, second_index => second_index, issued => executing,
       issued_condition => redirect_condition, issued_control => control, legal => legal,
@@ -121,7 +123,17 @@ begin
     writing.writes <= '0';
     forwards_from_write_back : assert hazard = '0' and first_operand = x"0badcafe" and
       second_operand = x"0badcafe" severity failure;
+    -- In the next clock register write has it, and an instruction that is issued then reads it.
+    register_write <= (enable => '1', destination => "00001", data => x"0badcafe");
+    fetch(add_x2_x1_x1);
+    wait_for_clock(clk);
+    forwards_from_register_write : assert first_operand = x"0badcafe" and second_operand = x"0badcafe"
+      severity failure;
+    register_write.enable <= '0';
     -- The register has it now.
+    fetch(add_x2_x1_x1);
+    wait_for_clock(clk);
+    reads_the_register : assert first_operand = x"0badcafe" and second_operand = x"0badcafe" severity failure;
     fetch(addi_x1_5);
     wait_for_clock(clk);
     fetch(lw_x1);

@@ -20,6 +20,8 @@ architecture tb of operand_forwarding_tb is
   signal first_index, second_index, execute_destination, destination : register_index_t := "00001";
   signal immediate, execute_result, first, second : word_t := (others => '0');
   signal write_data_late, write_data_early, late_bits : word_t := (others => '0');
+  signal register_write : register_write_t := (
+    enable => '0', destination => "00001", data => (others => '0'));
 
 begin
 
@@ -43,14 +45,21 @@ begin
       execute_result_early => execute_result and not late_bits,
       write => write,
       destination => destination,
-      write_data => write_data_late or write_data_early,
       write_data_late => write_data_late and late_bits,
       write_data_product => write_data_late and not late_bits,
       write_data_early => write_data_early,
+      register_write => register_write,
       forward_late_result => forward_late_result,
       hazard => hazard,
       first => first,
       second => second);
+
+  write_register : process
+  begin
+    wait until rising_edge(clk);
+    register_write <= (
+      enable => write, destination => destination, data => write_data_late or write_data_early);
+  end process;
 
   check : process
     variable seed_1, seed_2 : positive := 7;
