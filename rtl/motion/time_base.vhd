@@ -132,6 +132,18 @@ architecture rtl of time_base is
     return other;
   end function;
 
+  -- Whether value + change reaches 1/2, of a value below it and a change of at most 1/2: the carry into the
+  -- highest bit. The halves are added side by side, the upper one without and with a carry from the lower, so
+  -- that the carry chain has half the length of the sum's own.
+  function reaches_half(value : unsigned(62 downto 0); change : unsigned(63 downto 0)) return std_ulogic is
+    constant lower_sum : unsigned(32 downto 0) := resize(value(31 downto 0), 33) + change(31 downto 0);
+    constant upper_sum : unsigned(31 downto 0) := ('0' & value(62 downto 32)) + change(63 downto 32);
+    constant carried_sum : unsigned(32 downto 0) :=
+      ('0' & value(62 downto 32) & '1') + (change(63 downto 32) & '1');
+  begin
+    return (lower_sum(32) and carried_sum(32)) or (not lower_sum(32) and upper_sum(31));
+  end function;
+
   -- The longest leap by which a change can be shifted. Larger changes are far beyond any machine.
   function longest(change : signed(63 downto 0)) return leap_t is
   begin
@@ -192,9 +204,11 @@ begin
   fourfold_sum <= phase + doubled(rate, "10");
   chosen <= leap(1) & (not leap(1) and leap(0)) & (leap(1) nor leap(0));
   phase_sum <= (fourfold_sum and chosen(2)) or (double_sum and chosen(1)) or (single_sum and chosen(0));
-  -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
+  -- With a rate of at most 1/2 a carry only comes from a phase of at least 1/2: the half above this is full.
   possible <= chosen and phase(63);
-  comes <= not (fourfold_sum(63) & double_sum(63) & single_sum(63));
+  comes <= reaches_half(phase(62 downto 0), doubled(rate, "10")) &
+           reaches_half(phase(62 downto 0), doubled(rate, "01")) &
+           reaches_half(phase(62 downto 0), rate);
   carry <= or (possible and comes);
   next_rate <= integrated(rate,
     doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
@@ -203,8 +217,9 @@ begin
   acceleration_change <= signed(doubled(unsigned(jerk), leap_of_jerk));
   leap_of_jerk <= shorter(leap, longest(jerk));
   next_acceleration <= acceleration + acceleration_change;
-  acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
-    next_acceleration(63) = acceleration(63) else '0';
+  acceleration_fits <= (acceleration(63) xor acceleration_change(63)) or
+    (reaches_half(unsigned(acceleration(62 downto 0)), '0' & unsigned(acceleration_change(62 downto 0))) xnor
+     acceleration(63));
 
   leap_of_head <= longest(head.rate(63 downto 58));
   leap_of_rate <= longest(rate(63 downto 58));
