@@ -9,6 +9,9 @@ module memory #(
   input instruction_request_enable,
   input [29:0] instruction_request_upper_address,
   input [29:0] instruction_request_lower_address,
+  // Not used: the banks are found here.
+  input [7:0] instruction_request_upper_elsewhere,
+  input [7:0] instruction_request_lower_elsewhere,
   input data_request_enable,
   input [3:0] data_request_write_bytes,
   input [29:0] data_request_address,

@@ -9,8 +9,7 @@ use work.memory_pkg.all;
 
 entity memory is
   generic (
-    -- Each 1 among its binary digits is a bank, the largest first: 104 KiB are banks of 64, 32 and 8 KiB. So
-    -- no bank adds logic to an address, and each tool makes it of whole blocks of RAM.
+    -- A multiple of 8 bytes, of at most 8 banks (`bits_of_banks`).
     size_bytes : positive := 65536;
     -- The blocks of RAM can clear what they show, as those of an ECP5: a bank of which nothing is requested
     -- shows 0, and no gate chooses one. Where they cannot, this would make them of registers.
@@ -30,40 +29,10 @@ end entity;
 
 architecture rtl of memory is
 
-  type address_bits_t is array (natural range <>) of natural;
-
-  -- As many bits as the addresses of each bank have: the places of the size's binary digits 1.
-  function bits_of_banks(size : positive) return address_bits_t is
-    variable bits : address_bits_t(0 to 30);
-    variable count : natural := 0;
-  begin
-    for place in 30 downto 0 loop
-      if size / 2 ** place mod 2 = 1 then
-        bits(count) := place;
-        count := count + 1;
-      end if;
-    end loop;
-    return bits(0 to count - 1);
-  end function;
-
   constant bank_bits : address_bits_t := bits_of_banks(size_bytes);
   subtype banks_t is natural range 0 to bank_bits'length - 1;
 
   type bank_words_t is array (banks_t) of std_ulogic_vector(31 downto 0);
-
-  -- The address is in this bank: the bits of all larger banks are set, and its own is not, but for the last.
-  function is_in(bank : banks_t; address : unsigned(31 downto 2)) return std_ulogic is
-    variable found : std_ulogic := '1';
-  begin
-    for other in banks_t loop
-      if other < bank then
-        found := found and address(bank_bits(other));
-      elsif other = bank and bank < banks_t'high then
-        found := found and not address(bank_bits(other));
-      end if;
-    end loop;
-    return found;
-  end function;
 
   -- No signal depends on another part of itself: the model's evaluation relies on that.
   function selected(words : bank_words_t; chosen : std_ulogic_vector(banks_t)) return std_ulogic_vector is
@@ -85,18 +54,21 @@ architecture rtl of memory is
   -- What each bank shows, and which of them was requested.
   signal bank_instruction, bank_data : bank_words_t;
   signal upper_shown, lower_shown, data_shown : std_ulogic_vector(banks_t);
+  signal data_bank : bank_choice_t;
   signal upper_instruction, lower_instruction : std_ulogic_vector(31 downto 0);
 
 begin
 
-  size_is_possible : assert bank_bits(banks_t'high) >= 3
+  size_is_possible : assert bank_bits(banks_t'high) >= 3 and banks_t'high <= bank_choice_t'high
     report "the memory has " & integer'image(size_bytes) & " bytes" severity failure;
+
+  data_bank <= bank_of(data_request.address, size_bytes);
 
   banks : for bank in banks_t generate
     constant bits : natural := bank_bits(bank);
     subtype word_address_t is natural range 0 to 2 ** (bits - 2) - 1;
     signal upper_word, lower_word, data_word : word_address_t;
-    signal data_here, upper_here, lower_here : std_ulogic;
+    signal data_here : std_ulogic;
   begin
 
     upper_word <= to_integer(instruction_request.upper_address(bits - 1 downto 2));
@@ -112,17 +84,18 @@ begin
     begin
 
       instruction_word <= lower_word when lane < 2 else upper_word;
-      clear_instruction <= '0' when not shows_clear else not lower_here when lane < 2 else not upper_here;
+      clear_instruction <= '0' when not shows_clear else
+                           instruction_request.lower_elsewhere(bank) when lane < 2 else
+                           instruction_request.upper_elsewhere(bank);
       clear_data <= '0' when not shows_clear else not data_here;
 
       read_instruction : process
       begin
         wait until rising_edge(clk);
-        if instruction_request.enable then
+        if clear_instruction then
+          bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
+        elsif instruction_request.enable then
           bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= bytes(instruction_word);
-          if clear_instruction then
-            bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
-          end if;
         end if;
       end process;
 
@@ -143,16 +116,14 @@ begin
 
     end generate;
 
-    data_here <= is_in(bank, data_request.address);
-    upper_here <= is_in(bank, instruction_request.upper_address);
-    lower_here <= is_in(bank, instruction_request.lower_address);
+    data_here <= data_bank(bank);
 
     remember : process
     begin
       wait until rising_edge(clk);
       if instruction_request.enable then
-        upper_shown(bank) <= upper_here;
-        lower_shown(bank) <= lower_here;
+        upper_shown(bank) <= not instruction_request.upper_elsewhere(bank);
+        lower_shown(bank) <= not instruction_request.lower_elsewhere(bank);
       end if;
       if data_request.enable then
         data_shown(bank) <= data_here;

@@ -7,6 +7,16 @@ use ieee.numeric_std.all;
 
 package memory_pkg is
 
+  -- Each 1 among the binary digits of the memory's size is a bank, the largest first: 104 KiB are banks of 64,
+  -- 32 and 8 KiB. So no bank adds logic to an address, and each tool makes it of whole blocks of RAM. As many
+  -- bits as the addresses of each bank have: the places of the digits.
+  type address_bits_t is array (natural range <>) of natural;
+  function bits_of_banks(size_bytes : positive) return address_bits_t;
+
+  -- One-hot: the bank that holds an address.
+  subtype bank_choice_t is std_ulogic_vector(7 downto 0);
+  function bank_of(address : unsigned(31 downto 2); size_bytes : positive) return bank_choice_t;
+
   -- Read of 32 bits that begin at any half word: the upper half word of one word and the lower half
   -- word of the same or of the next. While `enable` is low the port keeps its last data.
   type instruction_request_t is record
@@ -14,6 +24,10 @@ package memory_pkg is
     -- Addresses of the two words; the memory looks only at as many low bits as it has words.
     upper_address : unsigned(31 downto 2);
     lower_address : unsigned(31 downto 2);
+    -- The banks that do not hold them (`bank_of`), none while `enable` is low. Found for each address before
+    -- one is chosen, which is late in the clock.
+    upper_elsewhere : bank_choice_t;
+    lower_elsewhere : bank_choice_t;
   end record;
 
   -- Read or write of one data word. While `enable` is low the port keeps its last data; what it
@@ -27,7 +41,8 @@ package memory_pkg is
   end record;
 
   constant instruction_request_idle : instruction_request_t := (
-    enable => '0', upper_address => (others => '0'), lower_address => (others => '0'));
+    enable => '0', upper_address => (others => '0'), lower_address => (others => '0'),
+    upper_elsewhere => (others => '0'), lower_elsewhere => (others => '0'));
   constant memory_request_idle : memory_request_t := (
     enable => '0', write_bytes => (others => '0'), address => (others => '0'),
     data => (others => '0'));
@@ -43,6 +58,33 @@ package memory_pkg is
 end package;
 
 package body memory_pkg is
+
+  function bits_of_banks(size_bytes : positive) return address_bits_t is
+    variable bits : address_bits_t(0 to 30);
+    variable count : natural := 0;
+  begin
+    for place in 30 downto 0 loop
+      if size_bytes / 2 ** place mod 2 = 1 then
+        bits(count) := place;
+        count := count + 1;
+      end if;
+    end loop;
+    return bits(0 to count - 1);
+  end function;
+
+  -- The bits of all larger banks are set, and its own is not, but for the last.
+  function bank_of(address : unsigned(31 downto 2); size_bytes : positive) return bank_choice_t is
+    constant bits : address_bits_t := bits_of_banks(size_bytes);
+    variable beyond_larger : std_ulogic := '1';
+    variable found : bank_choice_t := (others => '0');
+  begin
+    for bank in 0 to bits'high - 1 loop
+      found(bank) := beyond_larger and not address(bits(bank));
+      beyond_larger := beyond_larger and address(bits(bank));
+    end loop;
+    found(bits'high) := beyond_larger;
+    return found;
+  end function;
 
   function address_bits_of(size_bytes : positive) return positive is
     variable bits : positive := 1;

@@ -59,6 +59,11 @@ architecture rtl of instruction_fetch is
     return half_word(1) and half_word(0);
   end function;
 
+  function banks_without(offset : word_address_t; enable : std_ulogic) return bank_choice_t is
+  begin
+    return not bank_of(memory_number & offset, memory_size_bytes) and enable;
+  end function;
+
   signal jump, next_buffer_valid : std_ulogic;
 
   -- The memory returns 32 bits from any half-word address: a pair of half words. Pairs follow each other from
@@ -72,6 +77,7 @@ architecture rtl of instruction_fetch is
   signal buffered : half_word_t;
   signal next_upper, next_lower, predicted_upper, predicted_lower : word_address_t;
   signal fetch_upper, fetch_lower : word_address_t;
+  signal upper_elsewhere, lower_elsewhere : bank_choice_t;
   signal beyond_end, at_last_half_word, straddles, outside : std_ulogic;
 
 begin
@@ -91,11 +97,17 @@ begin
   predicted_lower <= predicted_target_plus_2(word_address_t'range) when predicted_taken else next_lower;
   fetch_upper <= redirect_target(word_address_t'range) when redirect else predicted_upper;
   fetch_lower <= redirect_target_plus_2(word_address_t'range) when redirect else predicted_lower;
+  upper_elsewhere <= banks_without(redirect_target(word_address_t'range), advance) when redirect else
+                     banks_without(predicted_upper, advance);
+  lower_elsewhere <= banks_without(redirect_target_plus_2(word_address_t'range), advance) when redirect else
+                     banks_without(predicted_lower, advance);
   jump <= redirect or predicted_taken;
   instruction_request <= (
     enable => advance,
     upper_address => memory_number & fetch_upper,
-    lower_address => memory_number & fetch_lower);
+    lower_address => memory_number & fetch_lower,
+    upper_elsewhere => upper_elsewhere,
+    lower_elsewhere => lower_elsewhere);
 
   update : process
   begin

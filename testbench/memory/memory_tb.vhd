@@ -79,7 +79,9 @@ begin
     procedure fetch(upper, lower : natural) is
     begin
       instruction_request <= (
-        enable => '1', upper_address => to_unsigned(upper, 30), lower_address => to_unsigned(lower, 30));
+        enable => '1', upper_address => to_unsigned(upper, 30), lower_address => to_unsigned(lower, 30),
+        upper_elsewhere => not bank_of(to_unsigned(upper, 30), 4 * words),
+        lower_elsewhere => not bank_of(to_unsigned(lower, 30), 4 * words));
       clock;
       instruction_request.enable <= '0';
       assert instruction_data =
@@ -96,7 +98,8 @@ begin
       data_request <= (
         enable => '0', write_bytes => "1111", address => to_unsigned(word, 30), data => (others => '0'));
       instruction_request <= (
-        enable => '0', upper_address => to_unsigned(word, 30), lower_address => to_unsigned(word, 30));
+        enable => '0', upper_address => to_unsigned(word, 30), lower_address => to_unsigned(word, 30),
+        upper_elsewhere | lower_elsewhere => (others => '0'));
       clock;
       assert data = shown and instruction_data = shown_instruction severity failure;
       load(word);

@@ -12,15 +12,33 @@ module memory_pair;
   bit instruction_is_defined, data_is_defined;
   int reads, writes;
 
+  // The banks that do not hold a word. They lie behind each other, each as large as a binary digit 1 of the size, the largest first.
+  function automatic bit [7:0] elsewhere(bit [29:0] word);
+    int unsigned first = 0;
+    bit [7:0] bank = 1;
+    for (int place = 29; place >= 0; place--) begin
+      if (((`SIZE_BYTES / 4) >> place) % 2 == 1) begin
+        first += 1 << place;
+        if (word < first) return instruction_enable ? ~bank : 8'b0;
+        bank <<= 1;
+      end
+    end
+    return 8'b0;
+  endfunction
+
   memory_of_rtl wanted (
     .clk(clk), .instruction_request_enable(instruction_enable),
     .instruction_request_upper_address(upper_address), .instruction_request_lower_address(lower_address),
+    .instruction_request_upper_elsewhere(elsewhere(upper_address)),
+    .instruction_request_lower_elsewhere(elsewhere(lower_address)),
     .data_request_enable(data_enable), .data_request_write_bytes(write_bytes),
     .data_request_address(data_address), .data_request_data(data_in),
     .instruction_data(wanted_instruction), .data(wanted_data));
   memory #(.size_bytes(`SIZE_BYTES)) found (
     .clk(clk), .instruction_request_enable(instruction_enable),
     .instruction_request_upper_address(upper_address), .instruction_request_lower_address(lower_address),
+    .instruction_request_upper_elsewhere(elsewhere(upper_address)),
+    .instruction_request_lower_elsewhere(elsewhere(lower_address)),
     .data_request_enable(data_enable), .data_request_write_bytes(write_bytes),
     .data_request_address(data_address), .data_request_data(data_in),
     .instruction_data(instruction), .data(data));

@@ -89,7 +89,7 @@ awk -v banks=$banks '
   /^endmodule/ { inside = 0 }
   { print }
 ' work/synthesis.v > work/with_ways.v
-[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = $((banks > 1 ? 7 + 3 * banks : 9)) ] ||
+[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = $((banks > 1 ? 9 + 3 * banks : 11)) ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
 
 # Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these

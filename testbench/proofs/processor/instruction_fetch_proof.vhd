@@ -47,6 +47,21 @@ architecture proof of instruction_fetch_proof is
     return '0';
   end function;
 
+  -- Of the banks of 65536 or of 65536 + 32768 + 8192 bytes, which lie behind each other.
+  function bank_by_size(word : unsigned(31 downto 2)) return bank_choice_t is
+    constant offset : unsigned(31 downto 0) := (word & "00") - memory_address;
+    variable found : bank_choice_t := (others => '0');
+  begin
+    if memory_size_bytes = 65536 or offset < 65536 then
+      found(0) := '1';
+    elsif offset < 65536 + 32768 then
+      found(1) := '1';
+    else
+      found(2) := '1';
+    end if;
+    return found;
+  end function;
+
   default clock is rising_edge(clk);
 
 begin
@@ -90,5 +105,10 @@ begin
   only_the_second_half_faults_at_the_end : assert always
     (crosses_memory_end = (begins_inside and not ends_inside));
   requests_are_inside_the_memory : assert always asks_inside;
+  requests_are_for_the_bank_of_their_addresses : assert always
+    ((instruction_request.upper_elsewhere =
+        (not bank_by_size(instruction_request.upper_address) and advance)) and
+     (instruction_request.lower_elsewhere =
+        (not bank_by_size(instruction_request.lower_address) and advance)));
 
 end architecture;
