@@ -56,10 +56,34 @@ endmodule
     (I => O) = 2000;
   endspecify
 endmodule
+(* blackbox, abc9_box *) module way_to_control (input I, output O);
+  specify
+    (I => O) = 900;
+  endspecify
+endmodule
 END
 cat > work/no_ways.v <<'END'
 module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
+module way_to_control (input I, output O); assign O = I; endmodule
+END
+# An enable or reset of a register comes over a wire, while its data comes from a gate at its side.
+cat > work/control_ways.v <<'END'
+(* techmap_celltype = "TRELLIS_FF" *)
+module register_with_ways (input CLK, LSR, CE, DI, output Q);
+  parameter GSR = "ENABLED", CEMUX = "1", CLKMUX = "CLK", LSRMUX = "LSR", SRMODE = "LSR_OVER_CE", REGSET = "RESET";
+  parameter _TECHMAP_CONSTMSK_CE_ = 1'b0;
+  parameter _TECHMAP_CONSTMSK_LSR_ = 1'b0;
+  wire enable, reset;
+  generate
+    if (_TECHMAP_CONSTMSK_CE_) assign enable = CE;
+    else way_to_control way_to_enable (.I(CE), .O(enable));
+    if (_TECHMAP_CONSTMSK_LSR_) assign reset = LSR;
+    else way_to_control way_to_reset (.I(LSR), .O(reset));
+  endgenerate
+  TRELLIS_FF #(.GSR(GSR), .CEMUX(CEMUX), .CLKMUX(CLKMUX), .LSRMUX(LSRMUX), .SRMODE(SRMODE), .REGSET(REGSET))
+    _TECHMAP_REPLACE_ (.CLK(CLK), .LSR(reset), .CE(enable), .DI(DI), .Q(Q));
+endmodule
 END
 awk -v banks=$banks '
   BEGIN {
@@ -109,12 +133,19 @@ awk -v wire=$wire '
 # synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 8.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
+# Every other path may become as long as the longest, so the form of the logic before it is mapped counts.
+# Balanced, and mapped once more from the choices that the first mapping leaves, it hardly depends on how it was
+# written; abc9's own recipe maps once, and small changes anywhere cost it a level of gates.
+map="&if -W $wire -D 8500 -v"
+echo "&sweep; &b -d; &dch; $map; &synch2 -K 4; $map" > work/recipe
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   read_verilog -sv work/with_ways.v $(find "$project/boards" -path "$project/boards/$board/*.v" -printf '%p ');
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
+  techmap -max_iter 1 -map work/control_ways.v;
+  clean;
   read_verilog -overwrite -lib -specify work/cells.v;
-  abc9 -maxlut 4 -W $wire -D 8500;
+  abc9 -maxlut 4 -W $wire -D 8500 -script work/recipe;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;
