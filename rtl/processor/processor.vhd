@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor: RV32IMC with machine mode, a five-stage in-order pipeline with constant instruction times.
+-- The processor: RV32IMC with machine mode, a six-stage in-order pipeline with constant instruction times.
 
 library ieee;
 use ieee.std_logic_1164.all;
