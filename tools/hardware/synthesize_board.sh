@@ -133,18 +133,54 @@ awk -v wire=$wire '
 # synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 8.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
-# Every other path may become as long as the longest, so the form of the logic before it is mapped counts.
-# Balanced, and mapped once more from the choices that the first mapping leaves, it hardly depends on how it was
-# written; abc9's own recipe maps once, and small changes anywhere cost it a level of gates.
-map="&if -W $wire -D 8500 -v"
-echo "&sweep; &b -d; &dch; $map; &synch2 -K 4; $map" > work/recipe
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   read_verilog -sv work/with_ways.v $(find "$project/boards" -path "$project/boards/$board/*.v" -printf '%p ');
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   techmap -max_iter 1 -map work/control_ways.v;
   clean;
+  write_rtlil work/unmapped.il"
+unmapped="read_verilog -lib -specify +/ecp5/cells_sim.v +/ecp5/cells_bb.v;
+  read_rtlil -nooverwrite work/unmapped.il;
   read_verilog -overwrite -lib -specify work/cells.v;
+  read_verilog -overwrite -lib -specify work/ways.v"
+
+# Every path may become as long as the longest, and how long that is depends on the form of the logic before it is
+# mapped: small changes anywhere may cost a level of gates. So some forms are mapped, and the fastest is taken.
+map="&if -W $wire -D 8500 -v"
+cat > work/recipes <<END
+&sweep; &dch; $map; &synch2 -K 4; $map
+&sweep; &dch; $map; &synch2 -K 4 -f; $map
+&sweep; &dch; $map; &synch2 -K 4 -R 0; $map; &synch2 -K 4 -R 0; $map
+&sweep; &dch -f; $map; &synch2 -K 4; $map
+&sweep; &b -d; &dch; $map; &synch2 -K 4; $map
+&sweep; &b -d; &dch -x; $map; &synch2 -K 4; $map
+&sweep; &b -a; &dch; $map; &synch2 -K 4; $map
+&sweep; &synch2 -K 4; $map; &synch2 -K 4; $map
+&sweep; &synch2 -K 4; $map
+&sweep; &b -a; &synch2 -K 4; $map; &synch2 -K 4; $map
+END
+echo "&sweep; $map" > work/recipe
+rm -rf _tmp_yosys-abc-*
+step logic.log yosys -p "$unmapped; abc9 -maxlut 4 -W $wire -D 8500 -script work/recipe -nocleanup"
+logic=$(echo _tmp_yosys-abc-*)
+[ -f "$logic/input.xaig" ] || { echo "failed: Yosys leaves no logic to map, see $directory/logic.log" >&2; exit 1; }
+# What it takes, in ps, and how many gates; a recipe with which abc ends early has no such line.
+try_recipe() {
+  { printf 'read_lut %s/input.lut\nread_box %s/input.box\n&read %s/input.xaig\n' "$logic" "$logic" "$logic"
+    sed -n "$1p" work/recipes | tr ';' '\n'; } > "work/recipe$1"
+  yosys-abc -s -f "work/recipe$1" > "recipe$1.log" 2>&1 || :
+  sed -nE "s/^A: +Del = +([0-9.]+)\. +Ar = +([0-9.]+)\. .*/\1 \2 $1/p" "recipe$1.log" | tail -n 1
+}
+export -f try_recipe
+export logic
+best=$(seq "$(wc -l < work/recipes)" | xargs -P "$(nproc)" -I NUMBER bash -c 'try_recipe NUMBER' | tee recipes.log |
+  sort -n -k1,1 -k2,2 -k3,3 | awk 'NR == 1 { print $3 }')
+rm -rf "$logic"
+[ -n "$best" ] || { echo "failed: no mapping, see $directory/recipe1.log" >&2; exit 1; }
+sed -n "${best}p" work/recipes > work/recipe
+
+step mapping.log yosys -p "$unmapped;
   abc9 -maxlut 4 -W $wire -D 8500 -script work/recipe;
   techmap -map work/no_ways.v;
   clean;
