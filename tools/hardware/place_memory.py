@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run by nextpnr-ecp5 before it places: gives each block RAM of the chip's memory its place, in the
 # two rows of blocks that lie nearest to each other, around their middle, from the lowest bit of a
-# word to the highest. All over the device, as the placer leaves them, the processor's longest paths
-# would cross it.
+# byte to the highest: the same bits of a word's four bytes, of which a load chooses one, and of its
+# half words, of which a fetch does, lie side by side. All over the device, as the placer leaves them,
+# the processor's longest paths would cross it.
 
 import re
 
@@ -28,11 +29,11 @@ blocks = []
 for (bank, lane), cells in lanes.items():
     cells.sort(key=lambda block: block[:2])
     for index, (_, _, cell) in enumerate(cells):
-        blocks.append((lane + (index + 0.5) / len(cells), bank, cell))
-blocks.sort(key=lambda block: block[:2])
+        blocks.append(((index + 0.5) / len(cells), lane, bank, cell))
+blocks.sort(key=lambda block: block[:3])
 
 wide = (len(blocks) + 1) // 2
 first = (len(pairs) - wide) // 2
 if first >= 0:
-    for index, (_, _, cell) in enumerate(blocks):
+    for index, (*_, cell) in enumerate(blocks):
         cell.setAttr("BEL", pairs[first + index // 2][index % 2][1])
