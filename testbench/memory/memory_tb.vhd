@@ -84,6 +84,8 @@ begin
         lower_elsewhere => not bank_of(to_unsigned(lower, 30), 4 * words));
       clock;
       instruction_request.enable <= '0';
+      instruction_request.upper_elsewhere <= (others => '0');
+      instruction_request.lower_elsewhere <= (others => '0');
       assert instruction_data =
         expected(upper mod words)(31 downto 16) & expected(lower mod words)(15 downto 0)
         report integer'image(upper) & " and " & integer'image(lower) severity failure;

@@ -76,7 +76,8 @@ module register_with_ways (input CLK, LSR, CE, DI, output Q);
   parameter _TECHMAP_CONSTMSK_LSR_ = 1'b0;
   wire enable, reset;
   generate
-    if (_TECHMAP_CONSTMSK_CE_) assign enable = CE;
+    if (CEMUX == "1") assign enable = 1'b1;  // It has none: a wire would keep it out of a slice with others.
+    else if (_TECHMAP_CONSTMSK_CE_) assign enable = CE;
     else way_to_control way_to_enable (.I(CE), .O(enable));
     if (_TECHMAP_CONSTMSK_LSR_) assign reset = LSR;
     else way_to_control way_to_reset (.I(LSR), .O(reset));
@@ -165,11 +166,13 @@ rm -rf _tmp_yosys-abc-*
 step logic.log yosys -p "$unmapped; abc9 -maxlut 4 -W $wire -D 8500 -script work/recipe -nocleanup"
 logic=$(echo _tmp_yosys-abc-*)
 [ -f "$logic/input.xaig" ] || { echo "failed: Yosys leaves no logic to map, see $directory/logic.log" >&2; exit 1; }
-# What it takes, in ps, and how many gates; a recipe with which abc ends early has no such line.
+# What it takes, in ps, and how many gates. With some recipes abc ends early, with status 0: they print no mark.
 try_recipe() {
   { printf 'read_lut %s/input.lut\nread_box %s/input.box\n&read %s/input.xaig\n' "$logic" "$logic" "$logic"
-    sed -n "$1p" work/recipes | tr ';' '\n'; } > "work/recipe$1"
+    sed -n "$1p" work/recipes | tr ';' '\n'
+    echo "echo this recipe has been followed to its end"; } > "work/recipe$1"
   yosys-abc -s -f "work/recipe$1" > "recipe$1.log" 2>&1 || :
+  grep -q '^this recipe has been followed to its end' "recipe$1.log" || return 0
   sed -nE "s/^A: +Del = +([0-9.]+)\. +Ar = +([0-9.]+)\. .*/\1 \2 $1/p" "recipe$1.log" | tail -n 1
 }
 export -f try_recipe
