@@ -7,9 +7,9 @@ use ieee.numeric_std.all;
 
 package memory_pkg is
 
-  -- Each 1 among the binary digits of the memory's size is a bank, the largest first: 104 KiB are banks of 64,
-  -- 32 and 8 KiB. So no bank adds logic to an address, and each tool makes it of whole blocks of RAM. As many
-  -- bits as the addresses of each bank have: the places of the digits.
+  -- Each 1 among the binary digits of the memory's size is a bank, the largest first: 104 KiB are banks of
+  -- 64, 32 and 8 KiB. So no bank adds logic to an address, and each tool makes it of whole blocks of RAM. The
+  -- bits of the addresses of each bank are the places of the digits.
   type address_bits_t is array (natural range <>) of natural;
   function bits_of_banks(size_bytes : positive) return address_bits_t;
 

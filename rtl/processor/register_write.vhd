@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Register write: the pipeline register after write-back. It takes memory data before it is aligned, so that the
--- longest path out of the memory ends at a register and goes on to the register file in the next clock.
+-- Register write: the pipeline register after write-back. It takes memory data before it is aligned, so that
+-- the longest path out of the memory ends at a register and goes on to the register file in the next clock.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -5,9 +5,9 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use ieee.math_real.all;
 
 use work.processor_pkg.all;
+use work.random_source_pkg.all;
 
 entity operand_forwarding_tb is
 end entity;
@@ -62,25 +62,18 @@ begin
   end process;
 
   check : process
-    variable seed_1, seed_2 : positive := 7;
-
-    impure function random(bound : positive) return natural is
-      variable value : real;
-    begin
-      uniform(seed_1, seed_2, value);
-      return integer(floor(value * real(bound)));
-    end function;
+    variable random : random_source_t;
 
     -- Few registers, of both halves, for many dependencies.
     impure function random_index return register_index_t is
     begin
-      return std_ulogic_vector(to_unsigned(14 + random(4), 5));
+      return std_ulogic_vector(to_unsigned(14 + random.between(0, 3), 5));
     end function;
 
     impure function random_word return word_t is
     begin
-      return std_ulogic_vector(to_unsigned(random(65536), 16)) &
-             std_ulogic_vector(to_unsigned(random(65536), 16));
+      return std_ulogic_vector(to_unsigned(random.between(0, 65535), 16)) &
+             std_ulogic_vector(to_unsigned(random.between(0, 65535), 16));
     end function;
 
     procedure clock is
@@ -113,12 +106,12 @@ begin
     impure function random_instruction return instruction_t is
       variable is_immediate : boolean;
     begin
-      is_immediate := random(3) = 0;
+      is_immediate := random.between(0, 2) = 0;
       return (
         first => random_index, second => random_index, destination => random_index,
-        writes => random(5) /= 0, late => random(3) = 0, is_immediate => is_immediate,
-        executable => random(10) /= 0, reads_first => random(8) /= 0,
-        reads_second => not is_immediate and random(8) /= 0,
+        writes => random.between(0, 4) /= 0, late => random.between(0, 2) = 0, is_immediate => is_immediate,
+        executable => random.between(0, 9) /= 0, reads_first => random.between(0, 7) /= 0,
+        reads_second => not is_immediate and random.between(0, 7) /= 0,
         immediate => random_word, value => random_word);
     end function;
 
@@ -167,11 +160,11 @@ begin
 
       if executing.executable and hazard = '1' then
         assert reads_late_result report "hazard without a late result" severity failure;
-        if random(4) = 0 then
+        if random.between(0, 3) = 0 then
           -- A bus access: the pipeline stalls.
           stalls := stalls + 1;
           show_write_back(false);
-          for clocks in 0 to random(3) loop
+          for clocks in 0 to random.between(0, 2) loop
             clock;
           end loop;
           show_write_back(true);
@@ -189,7 +182,7 @@ begin
         assert not reads_late_result report "missed hazard" severity failure;
         expect_operands;
       end if;
-      if random(8) = 0 then
+      if random.between(0, 7) = 0 then
         -- It takes several clocks, and write-back becomes empty; its operands need not stay.
         writing.writes := false;
         clock;

@@ -4,9 +4,9 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use ieee.math_real.all;
 
 use work.processor_pkg.all;
+use work.random_source_pkg.all;
 
 entity register_write_tb is
 end entity;
@@ -34,19 +34,12 @@ begin
       write => write);
 
   check : process
-    variable seed_1, seed_2 : positive := 11;
+    variable random : random_source_t;
 
-    impure function random(bound : positive) return natural is
-      variable value : real;
+    impure function any_word return word_t is
     begin
-      uniform(seed_1, seed_2, value);
-      return integer(floor(value * real(bound)));
-    end function;
-
-    impure function random_word return word_t is
-    begin
-      return std_ulogic_vector(to_unsigned(random(65536), 16)) &
-             std_ulogic_vector(to_unsigned(random(65536), 16));
+      return std_ulogic_vector(to_unsigned(random.between(0, 65535), 16)) &
+             std_ulogic_vector(to_unsigned(random.between(0, 65535), 16));
     end function;
 
     -- As the specification's lb, lh, lw, lbu and lhu.
@@ -73,21 +66,21 @@ begin
     wait for 1 ns;
     assert write.enable = '0' report "a write before the first clock" severity failure;
     for count in 1 to 20_000 loop
-      memory_data <= random_word;
+      memory_data <= any_word;
       value_product <= (others => '0');
       value_early <= (others => '0');
-      expected_writes := '1' when random(3) /= 0 else '0';
-      expected_destination := std_ulogic_vector(to_unsigned(random(32), 5));
+      expected_writes := '1' when random.between(0, 2) /= 0 else '0';
+      expected_destination := std_ulogic_vector(to_unsigned(random.between(0, 31), 5));
       writing.writes <= expected_writes;
       writing.destination <= expected_destination;
       writing.from_memory <= lanes_of('0', "000", "00");
-      case random(3) is
-        when 0 => value_product <= random_word;
-        when 1 => value_early <= random_word;
+      case random.between(0, 2) is
+        when 0 => value_product <= any_word;
+        when 1 => value_early <= any_word;
         when others =>
-          funct3 := functions(random(5));
+          funct3 := functions(random.between(0, 4));
           size := 2 ** to_integer(unsigned(funct3(1 downto 0)));
-          byte := size * random(4 / size);
+          byte := size * random.between(0, 4 / size - 1);
           writing.from_memory <= lanes_of('1', funct3, std_ulogic_vector(to_unsigned(byte, 2)));
       end case;
       wait for 1 ns;
@@ -98,8 +91,8 @@ begin
 
       wait until rising_edge(clk);
       -- The memory shows the next word, and write-back has the next instruction.
-      memory_data <= random_word;
-      value_early <= random_word;
+      memory_data <= any_word;
+      value_early <= any_word;
       writing.writes <= not expected_writes;
       writing.destination <= not expected_destination;
       writing.from_memory <= lanes_of('1', "010", "00");
