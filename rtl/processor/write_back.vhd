@@ -86,7 +86,7 @@ begin
     end if;
   end process;
 
-  -- One each for memory and bus: saves a multiplexer between block RAM and register file.
+  -- One each for memory and bus: saves a multiplexer between block RAM and operands.
   load_from_memory : entity work.load_result
     port map (
       loaded => memory_data,
