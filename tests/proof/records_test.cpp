@@ -4,12 +4,15 @@
 
 #include <gmock/gmock.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "tests/proof/small_project.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/files/path_lock.hpp"
 #include "tools/proof/dependence.hpp"
 #include "tools/proof/run.hpp"
 
@@ -108,6 +111,21 @@ TEST_F(Recording, of_what_fails_is_found_by_the_sample_that_covers_it) {
     found += result.is_good ? 0 : 1;
   }
   EXPECT_EQ(found, 1) << "three parts of three: each trial is in one of them";
+}
+
+TEST_F(Recording, is_refused_while_another_run_works_in_the_folder) {
+  ASSERT_TRUE(prove().is_good);
+  const std::filesystem::path folder = project_.path() / "build/proofs";
+  const auto files_there = [&folder] {
+    return std::distance(std::filesystem::recursive_directory_iterator(folder), {});
+  };
+  const auto before = files_there();
+  std::optional<files::PathLock> other(folder);
+  EXPECT_THAT([this] { prove(); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("wait for its end")));
+  EXPECT_EQ(files_there(), before) << "the other run's files are still there";
+  other.reset();
+  EXPECT_TRUE(prove().is_good);
 }
 
 TEST_F(Recording, forgets_what_is_not_in_the_lists_any_more) {
