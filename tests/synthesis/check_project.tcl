@@ -124,6 +124,45 @@ proc set_global_assignment {args} {
   }
 }
 
+# A parameter of all cells, or of those of an entity or instance. Its values are those of Quartus 7 to 13.
+proc set_parameter {args} {
+  take set_parameter {-name -to -entity} {} $args
+  in_project set_parameter
+  if {[llength $rest] != 1} { complain "set_parameter: one value is wanted: $args" }
+  if {![info exists given(-name)] || $given(-name) ne "CYCLONEII_SAFE_WRITE"} {
+    complain "set_parameter: no such name: $args"
+    return
+  }
+  if {[info exists given(-to)] || [info exists given(-entity)]} {
+    complain "set_parameter: $given(-name) is wanted for all cells"
+  }
+  set value [lindex $rest 0]
+  if {$value ni {NO_CHANGE PORT_SWAP RESTRUCTURE VERIFIED_SAFE}} { complain "set_parameter: $given(-name) is $value" }
+  if {[info exists ::parameter($given(-name))]} { complain "$given(-name) is said twice" }
+  set ::parameter($given(-name)) $value
+}
+
+# Block RAM of a Cyclone II may write wrongly with two clocks, where port A writes. Quartus refuses such memory, until it
+# is told that it has been verified to be safe: then port A must not write.
+proc check_safe_write {} {
+  set value [expr {[info exists ::parameter(CYCLONEII_SAFE_WRITE)] ? $::parameter(CYCLONEII_SAFE_WRITE) : ""}]
+  if {$::device(family) ne "Cyclone II"} {
+    if {$value ne ""} { complain "CYCLONEII_SAFE_WRITE is for a Cyclone II, not for a $::device(family)" }
+    return
+  }
+  if {$value ne "VERIFIED_SAFE"} { complain "Quartus refuses the memory: CYCLONEII_SAFE_WRITE is not VERIFIED_SAFE" }
+  set memories 0
+  foreach file [glob -directory $::directory *.v] {
+    set channel [open $file]
+    set text [read $channel]
+    close $channel
+    set cells [regexp -all {\maltsyncram\s*#\(} $text]
+    if {$cells > [regexp -all {\.wren_a\(1'b0\)} $text]} { complain "[file tail $file]: port A may write" }
+    incr memories $cells
+  }
+  if {$memories == 0} { complain "there is no altsyncram" }
+}
+
 proc check_port {command name} {
   if {![info exists ::port($name)]} { complain "$command: there is no port $name" }
 }
@@ -160,6 +199,7 @@ proc check_project {} {
   foreach name {FAMILY DEVICE TOP_LEVEL_ENTITY ALLOW_POWER_UP_DONT_CARE RESERVE_ALL_UNUSED_PINS} {
     if {![info exists ::global($name)]} { complain "$name is not said" }
   }
+  check_safe_write
   foreach file [glob -tails -directory $::directory *.v *.mif *.sdc] {
     if {![info exists ::listed($file)]} { complain "$file is not in the project" }
   }

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const fs::path project = PROJECT_DIRECTORY;
 
@@ -71,6 +72,7 @@ fs::path project_of(const std::string& board) {
 
 class QuartusProject : public testing::Test {
  protected:
+  explicit QuartusProject(std::string board = "de2_115") : board_(std::move(board)) {}
   void SetUp() override {
     fs::remove_all(copy_);
     fs::create_directories(copy_ / board_);
@@ -101,8 +103,8 @@ class QuartusProject : public testing::Test {
     if (!bad.empty()) replace(file, bad, good);
   }
 
-  const std::string board_ = "de2_115";
-  const fs::path pins_ = "project/pins.tcl", timing_ = "project/de2_115.sdc",
+  const std::string board_;
+  const fs::path pins_ = "project/pins.tcl", timing_ = "project/" + board_ + ".sdc",
                  maker_ = "project/make_project.tcl";
   const fs::path copy_ = fs::path(testing::TempDir()) / "stepfabric quartus copy";
 };
@@ -198,6 +200,37 @@ TEST_F(QuartusProject, with_a_wrong_assignment_is_found) {
   expect_found(maker_, "MIF_FILE bank1_lane1.mif", "MIF_FILE bank1_lane9.mif",
                "there is no bank1_lane9.mif");
   expect_found(maker_, "export_assignments", "export_assignment", "Tcl: invalid command");
+}
+
+// The erratum of its block RAM with two clocks.
+class QuartusProjectOfCycloneII : public QuartusProject {
+ protected:
+  QuartusProjectOfCycloneII() : QuartusProject("de2_70") {}
+
+  const std::string safe_ = "set_parameter -name CYCLONEII_SAFE_WRITE VERIFIED_SAFE\n";
+};
+
+TEST_F(QuartusProjectOfCycloneII, says_that_the_memory_is_safe) {
+  const std::string refused = "CYCLONEII_SAFE_WRITE is not VERIFIED_SAFE";
+  expect_found(maker_, safe_, "# nothing in its place\n", refused);
+  expect_found(maker_, "VERIFIED_SAFE", "PORT_SWAP", refused);
+  expect_found(maker_, "VERIFIED_SAFE", "VERIFIED", "CYCLONEII_SAFE_WRITE is VERIFIED");
+  expect_found(maker_, "CYCLONEII_SAFE_WRITE", "CYCLONE_SAFE_WRITE", "set_parameter: no such name");
+  expect_found(maker_, safe_, safe_ + safe_, "CYCLONEII_SAFE_WRITE is said twice");
+  expect_found(maker_, "set_parameter -name", "set_parameter -entity memory -name",
+               "CYCLONEII_SAFE_WRITE is wanted for all cells");
+}
+
+TEST_F(QuartusProjectOfCycloneII, with_a_port_a_that_writes_is_found) {
+  expect_found("project/memory_lane.v", ".wren_a(1'b0)", ".wren_a(data_write)",
+               "memory_lane.v: port A may write");
+}
+
+TEST_F(QuartusProject, of_a_cyclone_iv_has_nothing_of_the_cyclone_ii) {
+  EXPECT_THAT(files::text_of(copy_ / maker_), Not(HasSubstr("CYCLONEII")));
+  expect_found(maker_, "source pins.tcl\n",
+               "set_parameter -name CYCLONEII_SAFE_WRITE VERIFIED_SAFE\nsource pins.tcl\n",
+               "CYCLONEII_SAFE_WRITE is for a Cyclone II, not for a Cyclone IV E");
 }
 
 TEST_F(QuartusProject, with_a_file_left_out_is_found) {

@@ -189,9 +189,36 @@ TEST(InterfaceBoard, has_no_pull_on_a_sensor) {
   }
 }
 
+// What stands next to the board is reached through terminals: each of its nets has one.
+std::vector<std::string> without_terminal(const Netlist& list) {
+  std::vector<std::string> found;
+  for (const auto& [net, pins] : list.pins) {
+    bool leaves = false, has_terminal = false;
+    for (const std::string& pin : pins) {
+      const auto& component = list.components.at(pin.substr(0, pin.find('.')));
+      leaves |= component.footprint.empty();
+      has_terminal |= component.footprint.starts_with("TerminalBlock");
+    }
+    if (leaves && !has_terminal) found.push_back(net);
+  }
+  return found;
+}
+
+TEST(InterfaceBoard, has_a_terminal_for_each_wire_to_a_part_next_to_it) {
+  EXPECT_THAT(without_terminal(netlist()), ElementsAre());
+}
+
+TEST(InterfaceBoard, without_a_terminal_of_the_relay_is_found) {
+  Netlist list = netlist();
+  for (auto& [net, pins] : list.pins) {
+    std::erase_if(pins, [](const std::string& pin) { return pin.starts_with("J30"); });
+  }
+  EXPECT_THAT(without_terminal(list), ElementsAre("+HEAT", "relay_coil"));
+}
+
 // Both heaters hang on the relay's contact alone, and their MOSFETs' sources on ground.
 TEST(InterfaceBoard, leads_the_heaters_current_through_the_relay) {
-  EXPECT_THAT(netlist().pins.at("+HEAT"), ElementsAre("F201.1", "F211.1", "K301.87"));
+  EXPECT_THAT(netlist().pins.at("+HEAT"), ElementsAre("F201.1", "F211.1", "J302.2", "K301.87"));
   for (const std::string copy : {"0", "1"}) {
     const std::string low = "heater_" + copy + "_low", q = "Q2" + copy + "1";
     EXPECT_EQ(netlist().net_of(q + ".2"), low);

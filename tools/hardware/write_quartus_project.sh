@@ -68,6 +68,14 @@ set_global_assignment -name SDC_FILE $board.sdc
 set_global_assignment -name ALLOW_POWER_UP_DONT_CARE OFF
 # The board's other chips stay unselected.
 set_global_assignment -name RESERVE_ALL_UNUSED_PINS "AS INPUT TRI-STATED WITH WEAK PULL-UP"
+END
+  if [ "$(property family)" = "Cyclone II" ]; then
+    cat <<'END'
+# The erratum of a Cyclone II's block RAM with two clocks: port A of memory_lane.v never writes.
+set_parameter -name CYCLONEII_SAFE_WRITE VERIFIED_SAFE
+END
+  fi
+  cat <<'END'
 source pins.tcl
 export_assignments
 project_close
