@@ -91,14 +91,13 @@ TEST_F(SynthesisJob, of_all_boards_leaves_out_what_is_not_possible_before_it_sta
   options_.debug = true;
   options_.machine = "delta.toml";
   options_.memory_bytes = 128 * 1024;
-  options_.core_firmware = "of_the_build.elf";
   testing::internal::CaptureStderr();
   EXPECT_FALSE(run());
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
               testing::StartsWith("de2_70 is left out: 128 KiB of memory"));
   const std::string calls = text_of("calls");
-  EXPECT_THAT(calls, testing::HasSubstr(" core of_the_build.elf "));
-  EXPECT_THAT(calls, testing::Not(testing::HasSubstr(" core firmware.elf ")));
+  // Of any size: it need not fit into the memory of the core.
+  EXPECT_THAT(calls, testing::HasSubstr(" core - "));
   EXPECT_THAT(calls, testing::HasSubstr(" de2_115 firmware.elf "));
   EXPECT_EQ(nlohmann::json::parse(text_of("out/boards.json")).size(), 3u);
 }

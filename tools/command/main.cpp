@@ -89,9 +89,8 @@ int synthesize(synthesis::Options options) {
   const FirmwareOfCall of_machine;
   if (!options.machine.empty()) {
     options.memory_bytes = write_board_firmware(options.machine, of_machine.file);
-    options.core_firmware = of_build;
   }
-  if (options.machine.empty() || options.all) build({"firmware"});
+  if (options.machine.empty()) build({"firmware"});
   const auto& firmware = options.machine.empty() ? of_build : of_machine.file;
   return synthesis::synthesize(options, project_folder(), firmware, end_if_interrupted) ? success
                                                                                         : failure;

@@ -17,13 +17,16 @@ rm -f netlist.json cells.json
 
 # The contents of the memory, one file per bank and lane of bytes.
 bank_words=$(sed -nE 's/^ *reg \[7:0\] banks_n[0-9]+_lanes_n1_bytes\[([0-9]+):0\].*/\1 + 1/p' work/chip.v)
+words=$(($(paste -sd+ <<< "$bank_words")))
 rm -f contents.hex
 if [ "$firmware" = - ]; then
-  words=$(($(paste -sd+ <<< "$bank_words")))
   step ecpbram.log ecpbram --generate contents.hex --width 32 --depth $words --seed 1
   sed -E 's/^(..)(..)(..)(..)$/\4 \3 \2 \1/' contents.hex > work/contents
 else
   riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
+  size=$(stat -c %s work/firmware.bin)
+  [ "$size" -le $((4 * words)) ] ||
+    { echo "failed: $firmware has $size bytes, and the memory $((4 * words))" >&2; exit 1; }
   od -An -v -tx1 -w4 work/firmware.bin > work/contents
 fi
 # A bank that the program does not reach has empty files.

@@ -97,8 +97,7 @@ bool synthesize_all(const Options& options, const std::filesystem::path& project
     possible.push_back(one);
   }
   for (const Options& one : possible) {
-    const bool has_own = one.board == "core" && !options.core_firmware.empty();
-    good &= synthesize(one, project, has_own ? options.core_firmware : firmware, look);
+    good &= synthesize(one, project, firmware, look);
     figures.push_back(read_board_figures(one.directory / "synthesis.json"));
     rows.push_back(as_json(figures.back()));
     std::fflush(stdout);

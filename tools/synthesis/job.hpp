@@ -24,8 +24,6 @@ struct Options {
   std::uint32_t seeds = 1;
   // Whose firmware it is; none: the machine of the build.
   std::filesystem::path machine;
-  // What the processor alone has in its memory where the boards have the firmware of a machine.
-  std::filesystem::path core_firmware;
   // Of the chip's memory, where it is not the processor alone.
   std::uint32_t memory_bytes = CHIP_MEMORY_BYTES;
   bool debug = false;
