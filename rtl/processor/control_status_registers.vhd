@@ -32,7 +32,7 @@ entity control_status_registers is
     -- ... and mstatus.MIE is set: take the interrupt.
     interrupt_pending : out std_ulogic;
     interrupt_cause : out std_ulogic_vector(4 downto 0);
-    -- From mtvec.
+    -- From mtvec; an interrupt's cause is that of the clock before.
     trap_target : out unsigned(31 downto 0);
     -- mepc.
     return_address : out unsigned(31 downto 0)
@@ -46,7 +46,7 @@ architecture rtl of control_status_registers is
 
   signal interrupt_enable, previous_interrupt_enable : std_ulogic;
   signal enabled_interrupts, next_enabled_interrupts, requested_interrupts : word_t;
-  signal trap_base : unsigned(31 downto 2);
+  signal trap_base, interrupt_vector : unsigned(31 downto 2);
   signal trap_vectored : std_ulogic;
   signal scratch, last_trap_value : word_t;
   signal exception_address : unsigned(31 downto 1);
@@ -182,9 +182,15 @@ begin
     end if;
   end process;
 
-  -- The cause is gated before the adder: faster than a multiplexer after it.
-  trap_target <= (trap_base + (unsigned(trap.cause) and (4 downto 0 => trap_vectored and trap.interrupt))) &
-                 "00";
+  -- Critical path: the vector addresses the memory in the clock after an interrupt is taken. It is added in the
+  -- clock before, in which `interrupt_cause` becomes `trap.cause` and no instruction writes mtvec.
+  add_vector : process
+  begin
+    wait until rising_edge(clk);
+    interrupt_vector <= trap_base + (unsigned(interrupt_cause) and (4 downto 0 => trap_vectored));
+  end process;
+  trap_target(31 downto 2) <= interrupt_vector when trap.interrupt else trap_base;
+  trap_target(1 downto 0) <= "00";
   return_address <= exception_address & '0';
 
   cycle_event <= not cycle_stopped;

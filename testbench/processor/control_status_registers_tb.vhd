@@ -115,10 +115,6 @@ begin
     write(x"305", x"80000401");
     wait for 1 ns;
     assert trap_target = x"80000400" severity failure;
-    trap <= (enable => '0', interrupt => '1', cause => 5d"20", address => x"80000010",
-             value => x"00000000");
-    wait for 1 ns;
-    assert trap_target = x"80000450" severity failure;
 
     -- Interrupts.
     interrupts(4) <= '1';
@@ -129,6 +125,14 @@ begin
     wait for 1 ns;
     assert wake_request = '1' and interrupt_pending = '1' and interrupt_cause = 5d"20"
       report "a write of mie counts at once" severity failure;
+    clock;
+    trap.interrupt <= '1';
+    trap.cause <= 5d"20";
+    wait for 1 ns;
+    assert trap_target = x"80000450" report "the vector of the cause of the clock before" severity failure;
+    trap.interrupt <= '0';
+    wait for 1 ns;
+    assert trap_target = x"80000400" report "exceptions have no vectors" severity failure;
     write(x"300", x"00000000");
     wait for 1 ns;
     assert wake_request = '1' and interrupt_pending = '0' severity failure;

@@ -85,7 +85,7 @@ begin
   begin
     wait_clocks(clk, 2);
     reset <= '0';
-    execute(csrw_mtvec, x"80000040");
+    execute(csrw_mtvec, x"80000041");
     is_no_trap : assert trap.enable = '0' and flush = '0' severity failure;
     finish;
     execute(csrw_mscratch, x"c0ffee00");
@@ -134,6 +134,8 @@ begin
     wait_for_clock(clk);
     take_interrupt <= '0';
     timer_interrupt <= '0';
+    wait for 1 ns;
+    enters_its_vector : assert entering_handler = '1' and trap_target = x"8000005c" severity failure;
     wait_clocks(clk, 3);
 
     -- Debug mode: by ebreak where it is requested, with no trap; and back.
