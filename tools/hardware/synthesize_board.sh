@@ -47,7 +47,8 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
 # Yosys has no delays for the block RAM, so it would optimise the wrong paths. For mapping, each
 # wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: these paths
 # are the longest even so and are mapped as short as they can be, and every other path may become as long.
-# It lies before the gates that join the banks, which are mapped with those behind them.
+# It lies before the gates that join the banks, which are mapped with those behind them. The wires from the processor to
+# the parts on its bus are long as well: these lie all over the device.
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
@@ -56,7 +57,12 @@ cat > work/ways.v <<'END'
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
   specify
-    (I => O) = 2000;
+    (I => O) = 3000;
+  endspecify
+endmodule
+(* blackbox, abc9_box *) module way_to_bus (input I, output O);
+  specify
+    (I => O) = 1800;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_control (input I, output O);
@@ -68,6 +74,7 @@ END
 cat > work/no_ways.v <<'END'
 module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
+module way_to_bus (input I, output O); assign O = I; endmodule
 module way_to_control (input I, output O); assign O = I; endmodule
 END
 # An enable or reset of a register comes over a wire, while its data comes from a gate at its side.
@@ -94,6 +101,14 @@ awk -v banks=$banks '
     from_block_ram = banks == 1 ? "^ *assign (instruction_data|data) = [^;]*;" \
                                 : "^ *assign n[0-9]+_o = bank_(instruction|data)[[][0-9]+:[0-9]+[]];"
   }
+  /^module data_access(_|$)/ { at_bus = 1 }
+  at_bus && /^ *assign bus_request_[a-z_]+ = n[0-9]+_o;/ {
+    width = $2 ~ /address|data/ ? "[31:0]" : $2 ~ /bytes/ ? "[3:0]" : "[0:0]"
+    sub(/;/, "", $4)
+    print "  way_to_bus way_to_" $2 " " width " (.I(" $4 "), .O(" $2 "));"
+    next
+  }
+  /^endmodule/ { at_bus = 0 }
   /^module memory(_|$)/ { inside = 1 }
   inside && match($0, /^ *input +(\[[0-9]+:0\] )?(instruction|data)_request_[a-z_]+/) {
     width = $2 ~ /^\[/ ? $2 : "[0:0]"
@@ -119,6 +134,8 @@ awk -v banks=$banks '
 ' work/synthesis.v > work/with_ways.v
 [ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = $((banks > 1 ? 9 + 3 * banks : 11)) ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
+[ "$(grep -c 'way_to_bus way' work/with_ways.v)" = 5 ] ||
+  { echo "failed: the bus has other signals than this script knows" >&2; exit 1; }
 
 # Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these
 # delays include them, in ps.
