@@ -2,8 +2,9 @@
 # Run by nextpnr-ecp5 before it places: gives each block RAM of the chip's memory its place, in the
 # two rows of blocks that lie nearest to each other, around their middle, from the lowest bit of a
 # byte to the highest: the same bits of a word's four bytes, of which a load chooses one, and of its
-# half words, of which a fetch does, lie side by side. All over the device, as the placer leaves them,
-# the processor's longest paths would cross it.
+# half words, of which a fetch does, lie side by side. On a device that is mostly free the processor's
+# cells get a region around the same middle. All over the device, as the placer leaves them, the
+# processor's longest paths would cross it.
 
 import re
 
@@ -37,3 +38,14 @@ first = (len(pairs) - wide) // 2
 if first >= 0:
     for index, (*_, cell) in enumerate(blocks):
         cell.setAttr("BEL", pairs[first + index // 2][index % 2][1])
+
+    # As small as the processor's cells allow. Where the memory takes more of the rows, the chip fills
+    # the device, and nothing is far away.
+    if 2 * wide <= len(pairs):
+        middle = (pairs[first][0][0] + pairs[first + wide - 1][0][0]) // 2, (upper + lower) // 2
+        ctx.createRectangularRegion(
+            "processor", middle[0] - 20, middle[1] - 13, middle[0] + 20, middle[1] + 13)
+        for name, cell in ctx.cells:
+            # Block RAM and multipliers have places of their own.
+            if re.search(r"\.(cpu|ram)\.|\.cpu_", name) and cell.type in ("TRELLIS_COMB", "TRELLIS_FF"):
+                ctx.constrainCellToRegion(name, "processor")
