@@ -182,8 +182,8 @@ begin
     end if;
   end process;
 
-  -- Critical path: the vector addresses the memory in the clock after an interrupt is taken. It is added in the
-  -- clock before, in which `interrupt_cause` becomes `trap.cause` and no instruction writes mtvec.
+  -- Critical path: the vector addresses the memory in the clock after an interrupt is taken. It is added in
+  -- the clock before, in which `interrupt_cause` becomes `trap.cause` and no instruction writes mtvec.
   add_vector : process
   begin
     wait until rising_edge(clk);
