@@ -49,10 +49,9 @@ class Scripts {
   void synthesize() const {
     const bool alone = options_.board == "core";
     // A board's firmware comes into the layout (see pack()), and the core needs none.
-    std::vector<std::string> words{script("synthesize_board.sh", "synthesize_ice40.sh"),
-                                   project_.string(), options_.board,
-                                   device_.family == Family::ecp5 ? "-" : options_.device,
-                                   directory_.string()};
+    std::vector<std::string> words{
+        script("synthesize_board.sh", "synthesize_ice40.sh"), project_.string(), options_.board,
+        device_.family == Family::ecp5 ? "-" : options_.device, directory_.string()};
     words.push_back(fmt::format("-gmemory_size_bytes={}",
                                 alone ? device_.memory_bytes : options_.memory_bytes));
     if (options_.debug) words.emplace_back("-ghas_debug=true");
