@@ -49,7 +49,8 @@ Contents contents_of(int file) {
 
 }  // namespace
 
-PathLock::PathLock(const std::filesystem::path& path) : name_(lock_name(path)) {
+PathLock::PathLock(const std::filesystem::path& path, const std::string& remedy)
+    : name_(lock_name(path)) {
   const std::filesystem::path shown = folder_.path() / name_;
   do {
     if (file_ >= 0) close(file_);
@@ -64,8 +65,9 @@ PathLock::PathLock(const std::filesystem::path& path) : name_(lock_name(path)) {
       const std::string process = contents_of(file_).process;
       close(file_);
       throw std::runtime_error(
-          fmt::format("{} is in use by {}", path.string(),
-                      process.empty() ? "another process" : "process " + process));
+          fmt::format("{} is in use by {}{}{}", path.string(),
+                      process.empty() ? "another process" : "process " + process,
+                      remedy.empty() ? "" : ": ", remedy));
     }
     // Its holder may have removed the file between the two calls.
   } while (!is_in_place());

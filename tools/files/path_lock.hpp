@@ -14,9 +14,9 @@ namespace files {
 // behind locks nothing. Processes of other users do not see the lock.
 class PathLock {
  public:
-  // Throws std::runtime_error, which names path and process, where another one has the path, or
-  // this process has it already; std::system_error where no file can be made.
-  explicit PathLock(const std::filesystem::path& path);
+  // Throws std::runtime_error, which names path, process and remedy, where another one has the
+  // path, or this process has it already; std::system_error where no file can be made.
+  explicit PathLock(const std::filesystem::path& path, const std::string& remedy = {});
   PathLock(const PathLock&) = delete;
   PathLock& operator=(const PathLock&) = delete;
   ~PathLock();

@@ -130,21 +130,13 @@ void try_all(const Folders& folders, const Options& options, std::vector<Trial>&
   for (unsigned i = 0; i < jobs; ++i) workers.emplace_back(work);
 }
 
-// Another run would remove the files on which this one's trials are working.
-files::PathLock taken(const std::filesystem::path& folder) {
-  try {
-    return files::PathLock(folder);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(
-        fmt::format("{}: wait for its end, or use another build folder", error.what()));
-  }
-}
-
 }  // namespace
 
 bool prove(const Options& options, const std::filesystem::path& project,
            const std::filesystem::path& build) {
-  const files::PathLock lock = taken(build / (options.mutants ? "mutants" : "proofs"));
+  // Another run would remove the files on which this one's trials are working.
+  const files::PathLock lock(build / (options.mutants ? "mutants" : "proofs"),
+                             "wait for its end, or use another build folder");
   if (options.mutants) {
     CampaignOptions campaign = options.campaign;
     campaign.units = options.names;

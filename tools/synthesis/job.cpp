@@ -23,16 +23,6 @@
 namespace synthesis {
 namespace {
 
-// The tools' files there would be mixed with those of another synthesis.
-void take(const std::filesystem::path& directory, std::optional<files::PathLock>& lock) {
-  try {
-    lock.emplace(directory);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format(
-        "{}: wait for its end, or choose another folder with --directory", error.what()));
-  }
-}
-
 // The calls of tools/hardware for a board and a device.
 class Scripts {
  public:
@@ -191,8 +181,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   }
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
-  std::optional<files::PathLock> lock;
-  take(directory, lock);
+  // The tools' files there would be mixed with those of another synthesis.
+  const files::PathLock lock(directory,
+                             "wait for its end, or choose another folder with --directory");
   if (options.firmware_only) require_same_memory(options, directory);
   if (has_cyclone(project, options.board)) {
     return make_quartus_project(options, project, firmware, directory, look);
