@@ -12,9 +12,10 @@ package carries_pkg is
   -- that the carry chain has half the length of the sum's own.
   function reaches_half(value : unsigned(62 downto 0); change : unsigned(63 downto 0)) return std_ulogic;
 
-  -- Whether value + change, a signed number, is below the floor. In the upper half, where the floor lies, three
-  -- numbers become two without a carry: the comparison does not wait for the sum. In the lower half, where the
-  -- carry chain begins, nothing lies before it.
+  -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64
+  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. In the upper half, where the
+  -- floor lies, three numbers become two without a carry: the comparison does not wait for the sum. In the
+  -- lower half, where the carry chain begins, nothing lies before it.
   function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return std_ulogic;
 
@@ -33,16 +34,16 @@ package body carries_pkg is
 
   function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return std_ulogic is
-    constant less_floor : unsigned(32 downto 0) := not ("00" & floor);
-    constant upper : unsigned(32 downto 0) := '0' & value(63 downto 32);
-    constant upper_change : unsigned(32 downto 0) := change(63) & change(63 downto 32);
-    constant carries : unsigned(32 downto 0) :=
+    constant less_floor : unsigned(31 downto 0) := not ('0' & floor);
+    constant upper : unsigned(31 downto 0) := value(63 downto 32);
+    constant upper_change : unsigned(31 downto 0) := change(63 downto 32);
+    constant carries : unsigned(31 downto 0) :=
       (upper and upper_change) or (upper and less_floor) or (upper_change and less_floor);
-    variable difference : unsigned(64 downto 0);
+    variable difference : unsigned(63 downto 0);
   begin
     difference := ((upper xor upper_change xor less_floor) & value(31 downto 0)) +
-                  (carries(31 downto 0) & '1' & change(31 downto 0));
-    return difference(64);
+                  (carries(30 downto 0) & '1' & change(31 downto 0));
+    return difference(63) and difference(62);
   end function;
 
 end package body;

@@ -91,10 +91,9 @@ architecture rtl of time_base is
 
   -- The sum after this leap, and after leaps of 1, 2 and 4.
   signal phase_sum, single_sum, double_sum, fourfold_sum : unsigned(63 downto 0);
-  -- For each leap: it is this one, and may bring a carry; it brings one if it may; it takes the rate below the
-  -- floor.
-  signal chosen, possible, comes, falls : std_ulogic_vector(2 downto 0);
-  signal rate_change, rate_sum, next_rate : unsigned(63 downto 0);
+  -- For each leap: it is this one, and may bring a carry; it brings one if it may.
+  signal chosen, possible, comes : std_ulogic_vector(2 downto 0);
+  signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
   signal carry, acceleration_fits : std_ulogic;
   -- As if there were no stop: a tick is possible, or would wait; the head would follow it, begins from rest.
@@ -154,6 +153,19 @@ architecture rtl of time_base is
     return value;
   end function;
 
+  -- A sum above the highest rate is one below 3/4.
+  function integrated(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
+    floor : unsigned(30 downto 0)) return unsigned is
+    constant sum : unsigned(63 downto 0) := value + change;
+  begin
+    if falls_below(value, change, floor) then
+      return '0' & floor & x"00000000";
+    elsif sum(63 downto 62) = "10" then
+      return highest_rate;
+    end if;
+    return sum;
+  end function;
+
 begin
 
   -- The carry decides everything else, so all sums are made before it is known which one counts. Gates
@@ -169,16 +181,8 @@ begin
            reaches_half(phase(62 downto 0), doubled(rate, "01")) &
            reaches_half(phase(62 downto 0), rate);
   carry <= or (possible and comes);
-  -- Three comparisons with the floor as well: gates that choose a change come before a long one. A sum above the
-  -- highest rate is one below 3/4.
-  rate_change <= unsigned(resize(acceleration(63 downto 20), 64));
-  rate_sum <= rate + doubled(rate_change, leap);
-  falls <= falls_below(rate, doubled(rate_change, "10"), rate_floor) &
-           falls_below(rate, doubled(rate_change, "01"), rate_floor) &
-           falls_below(rate, rate_change, rate_floor);
-  next_rate <= '0' & rate_floor & x"00000000" when or (chosen and falls) else
-               highest_rate when rate_sum(63 downto 62) = "10" else
-               rate_sum;
+  next_rate <= integrated(rate,
+    doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
 
   -- It stays where the change would take it out of its range.
   acceleration_change <= signed(doubled(unsigned(jerk), leap_of_jerk));

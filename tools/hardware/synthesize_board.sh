@@ -48,8 +48,7 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
 # wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: these paths
 # are the longest even so and are mapped as short as they can be, and every other path may become as long.
 # It lies before the gates that join the banks, which are mapped with those behind them. The wires from the processor to
-# the parts on its bus are long as well: these lie all over the device. A multiplier's delay is counted before it, on the
-# way to it.
+# the parts on its bus are long as well: these lie all over the device.
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
@@ -66,11 +65,6 @@ endmodule
     (I => O) = 1800;
   endspecify
 endmodule
-(* blackbox, abc9_box *) module way_to_multiplier (input I, output O);
-  specify
-    (I => O) = 6000;
-  endspecify
-endmodule
 (* blackbox, abc9_box *) module way_to_control (input I, output O);
   specify
     (I => O) = 900;
@@ -81,7 +75,6 @@ cat > work/no_ways.v <<'END'
 module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
 module way_to_bus (input I, output O); assign O = I; endmodule
-module way_to_multiplier (input I, output O); assign O = I; endmodule
 module way_to_control (input I, output O); assign O = I; endmodule
 END
 # An enable or reset of a register comes over a wire, while its data comes from a gate at its side.
@@ -115,13 +108,7 @@ awk -v banks=$banks '
     print "  way_to_bus way_to_" $2 " " width " (.I(" $4 "), .O(" $2 "));"
     next
   }
-  /^module multiplier(_|$)/ { at_multiplier = 1 }
-  at_multiplier && /^ *assign (first|second)_high = n[0-9]+_o;/ {
-    sub(/;/, "", $4)
-    print "  way_to_multiplier way_to_" $2 " [16:0] (.I(" $4 "), .O(" $2 "));"
-    next
-  }
-  /^endmodule/ { at_bus = at_multiplier = 0 }
+  /^endmodule/ { at_bus = 0 }
   /^module memory(_|$)/ { inside = 1 }
   inside && match($0, /^ *input +(\[[0-9]+:0\] )?(instruction|data)_request_[a-z_]+/) {
     width = $2 ~ /^\[/ ? $2 : "[0:0]"
@@ -150,8 +137,6 @@ awk -v banks=$banks '
 # The memory alone has no bus.
 [ "$(grep -c 'way_to_bus way' work/with_ways.v)" = $((5 * $(grep -c '^module data_access' work/synthesis.v))) ] ||
   { echo "failed: the bus has other signals than this script knows" >&2; exit 1; }
-[ "$(grep -c 'way_to_multiplier way' work/with_ways.v)" = $((2 * $(grep -c '^module multiplier' work/synthesis.v))) ] ||
-  { echo "failed: the multiplier has other signals than this script knows" >&2; exit 1; }
 
 # Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these
 # delays include them, in ps.
