@@ -23,7 +23,9 @@ entity ulx3s is
     ftdi_rxd : out std_ulogic;
     -- Its DTR: low while a host that raises DTR has the port open.
     ftdi_ndtr : in std_ulogic;
-    -- High, or the board's radio module takes over.
+    -- Low keeps the board's radio module in reset: it could load another bitstream.
+    wifi_en : out std_ulogic;
+    -- High: where it is not in reset, its old firmware takes the board over at a low level.
     wifi_gpio0 : out std_ulogic;
     -- Fault, busy, five motors, a blink that shows the clock.
     led : out std_ulogic_vector(7 downto 0);
@@ -189,6 +191,7 @@ begin
   end generate;
 
   led <= (0 => fault, 1 => not sleeping, 6 downto 2 => motor_enable, 7 => blink(24));
+  wifi_en <= '0';
   wifi_gpio0 <= '1';
 
 end architecture;

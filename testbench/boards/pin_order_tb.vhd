@@ -182,7 +182,8 @@ begin
   board_ulx3s : entity work.ulx3s
     port map (
       clk_25mhz => slow_clk,
-      ftdi_txd => outside(3).receive, ftdi_rxd => pin(3).transmit, ftdi_ndtr => '0', wifi_gpio0 => open,
+      ftdi_txd => outside(3).receive, ftdi_rxd => pin(3).transmit, ftdi_ndtr => '0',
+      wifi_en => open, wifi_gpio0 => open,
       motion_start => '0',
       led => pin(3).led, emergency_stop => outside(3).emergency_stop,
       step => pin(3).step, direction => pin(3).direction, motor_enable_n => pin(3).enable,

@@ -12,7 +12,7 @@ architecture simulation of ulx3s_tb is
   signal reference_clk, transmit : std_ulogic;
   signal step, direction, motor_enable_n : std_ulogic_vector(4 downto 0);
   signal heater_gate : std_ulogic_vector(1 downto 0);
-  signal heater_supply, fan_gate : std_ulogic;
+  signal heater_supply, fan_gate, radio_enable : std_ulogic;
   signal sensor_resistor : std_logic_vector(5 downto 0);
 
 begin
@@ -20,7 +20,8 @@ begin
   board : entity work.ulx3s
     port map (
       clk_25mhz => reference_clk,
-      ftdi_txd => '1', ftdi_rxd => transmit, ftdi_ndtr => '0', wifi_gpio0 => open, led => open,
+      ftdi_txd => '1', ftdi_rxd => transmit, ftdi_ndtr => '0', led => open,
+      wifi_en => radio_enable, wifi_gpio0 => open,
       emergency_stop => '0', motion_start => '0', step => step, direction => direction,
       motor_enable_n => motor_enable_n,
       end_stop => x"00", heater_gate => heater_gate, heater_supply => heater_supply, fan_gate => fan_gate,
@@ -62,6 +63,14 @@ begin
     wait for 15 us;
     ends : assert released = '1' report "the reset does not end" severity error;
     wait;
+  end process;
+
+  radio : process
+  begin
+    wait for 1 ns;
+    is_off : assert radio_enable = '0' report "the radio module is not in reset" severity error;
+    wait on radio_enable;
+    stays_off : assert false report "the radio module comes out of its reset" severity error;
   end process;
 
   -- The oscillator that watches the clock is inside the FPGA.

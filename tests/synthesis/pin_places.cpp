@@ -45,6 +45,7 @@ Balls on_the_ulx3s() {
               {"ftdi_txd", "M1"},
               {"ftdi_rxd", "L4"},
               {"ftdi_ndtr", "N1"},
+              {"wifi_en", "F1"},
               {"wifi_gpio0", "L2"}};
   add(balls, "led", {"B2", "C2", "C1", "D2", "D1", "E2", "E1", "H3"});
   return balls;
