@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nets of the interface board's parts that are destroyed, or destroy others, the wrong way round: written
-// from their data sheets, not from the board's description.
+// The nets of the interface board's parts that are destroyed, or destroy others, the wrong way
+// round: written from their data sheets, not from the board's description.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -17,13 +17,13 @@ using wiring_files::Netlist;
 using Places = std::vector<std::pair<std::string, std::string>>;  // pin and net
 
 const Netlist& netlist() {
-  static const Netlist list = wiring_files::read_netlist(
-      std::filesystem::path(PROJECT_DIRECTORY) / "boards/interface/interface.net");
+  static const Netlist list = wiring_files::read_netlist(std::filesystem::path(PROJECT_DIRECTORY) /
+                                                         "boards/interface/interface.net");
   return list;
 }
 
-// A carrier of an A4988 by Pololu's numbers, counter-clockwise from GND beside VDD: logic supply, motor supply,
-// coils, ENABLE, micro-steps, RESET joined to SLEEP, STEP, DIR.
+// A carrier of an A4988 by its pins: logic supply, coils, motor supply; ENABLE, micro-steps,
+// RESET joined to SLEEP, STEP, DIR.
 void add_carrier(Places& places, int axis) {
   const std::string driver = fmt::format("A1{}1.", axis), copy = std::to_string(axis);
   const std::vector<std::string> nets{"GND",
@@ -60,14 +60,15 @@ void add_carrier(Places& places, int axis) {
 }
 
 Places places() {
-  // Diodes: 1 is the cathode. BC337: 1 is the collector, 3 the emitter. DIN 72552: the coil's 86 is its +.
-  Places all{{"D301.1", "+12V"},      {"D301.2", "relay_coil"}, {"D401.1", "+12V"},
-             {"D401.2", "fan_low"},   {"D801.1", "+12V"},       {"D801.2", "GND"},
-             {"C801.1", "+12V"},      {"C801.2", "GND"},        {"Q301.1", "relay_coil"},
-             {"Q301.2", "relay_base"}, {"Q301.3", "GND"},       {"K301.86", "+12V"},
-             {"K301.85", "relay_coil"}, {"K301.30", "+12V_IN"}, {"K301.87", "+HEAT"},
-             {"Q401.1", "fan_mosfet"}, {"Q401.2", "fan_low"},   {"Q401.3", "GND"},
-             {"J801.1", "+12V_IN"},   {"J801.2", "GND"},        {"F801.1", "+12V_IN"},
+  // Diodes: 1 is the cathode. BC337: 1 is the collector, 3 the emitter. DIN 72552: the coil's 86
+  // is its +.
+  Places all{{"D301.1", "+12V"},        {"D301.2", "relay_coil"}, {"D401.1", "+12V"},
+             {"D401.2", "fan_low"},     {"D801.1", "+12V"},       {"D801.2", "GND"},
+             {"C801.1", "+12V"},        {"C801.2", "GND"},        {"Q301.1", "relay_coil"},
+             {"Q301.2", "relay_base"},  {"Q301.3", "GND"},        {"K301.86", "+12V"},
+             {"K301.85", "relay_coil"}, {"K301.30", "+12V_IN"},   {"K301.87", "+HEAT"},
+             {"Q401.1", "fan_mosfet"},  {"Q401.2", "fan_low"},    {"Q401.3", "GND"},
+             {"J801.1", "+12V_IN"},     {"J801.2", "GND"},        {"F801.1", "+12V_IN"},
              {"F801.2", "+12V"}};
   for (int axis = 0; axis < 5; ++axis) add_carrier(all, axis);
   for (const std::string heater : {"0", "1"}) {
@@ -104,11 +105,19 @@ TEST(InterfaceBoard, connects_each_pin_that_must_not_be_reversed) {
 }
 
 TEST(InterfaceBoard, with_two_pins_exchanged_is_found) {
-  for (const auto& [one, other] :
-       Places{{"A101.2", "A101.8"},   {"A121.15", "A121.16"}, {"A131.9", "A131.13"}, {"D301.1", "D301.2"},
-              {"D401.1", "D401.2"},   {"D801.1", "D801.2"},   {"C111.1", "C111.2"},  {"C801.1", "C801.2"},
-              {"Q301.1", "Q301.3"},   {"K301.85", "K301.86"}, {"J141.2", "J141.3"},  {"Q212.2", "Q212.3"},
-              {"R101.1", "R111.1"}}) {
+  for (const auto& [one, other] : Places{{"A101.2", "A101.8"},
+                                         {"A121.15", "A121.16"},
+                                         {"A131.9", "A131.13"},
+                                         {"D301.1", "D301.2"},
+                                         {"D401.1", "D401.2"},
+                                         {"D801.1", "D801.2"},
+                                         {"C111.1", "C111.2"},
+                                         {"C801.1", "C801.2"},
+                                         {"Q301.1", "Q301.3"},
+                                         {"K301.85", "K301.86"},
+                                         {"J141.2", "J141.3"},
+                                         {"Q212.2", "Q212.3"},
+                                         {"R101.1", "R111.1"}}) {
     EXPECT_THAT(wrong_pins(with_exchanged(one, other)), Contains(one)) << one << " and " << other;
   }
 }
