@@ -167,8 +167,8 @@ void Browser::press(const std::string& text) {
 
 void Browser::clear(const std::string& selector) { call("POST", element_path(selector, "/clear")); }
 
-void Browser::drag(const std::string& from, const std::string& to, int below,
-                   const std::string& pointer) {
+void Browser::drag_once(const std::string& from, const std::string& to, int below,
+                        const std::string& pointer) {
   run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'});",
       Json::array({from}));
   const Json begin = element(from), end = element(to);
@@ -186,6 +186,21 @@ void Browser::drag(const std::string& from, const std::string& to, int below,
                                move(end, below + 1, 50), lift})}};
   call("POST", "/actions", {{"actions", Json::array({device})}});
   call("DELETE", "/actions");
+}
+
+// Where the page redraws an element meanwhile, the movement is made again.
+void Browser::drag(const std::string& from, const std::string& to, int below,
+                   const std::string& pointer) {
+  for (const auto end = std::chrono::steady_clock::now() + element_limit;;) {
+    try {
+      drag_once(from, to, below, pointer);
+      return;
+    } catch (const BrowserError& error) {
+      const bool may_change = std::string_view(error.what()).contains("stale element");
+      if (!may_change || std::chrono::steady_clock::now() > end) throw;
+    }
+    call("DELETE", "/actions");
+  }
 }
 
 Json Browser::run(const std::string& script, const Json& arguments) {

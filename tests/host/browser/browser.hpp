@@ -58,6 +58,8 @@ class Browser {
   Json call(const std::string& method, const std::string& path, const Json& body = Json::object());
   Json element(const std::string& selector);
   void click_once(const std::string& selector);
+  void drag_once(const std::string& from, const std::string& to, int below,
+                 const std::string& pointer);
   std::string element_path(const std::string& selector, const std::string& more);
 
   TemporaryFolder folder_;
