@@ -41,12 +41,8 @@ Balls on_the_de2_70() {
 }
 
 Balls on_the_ulx3s() {
-  Balls balls{{"clk_25mhz", "G2"},
-              {"ftdi_txd", "M1"},
-              {"ftdi_rxd", "L4"},
-              {"ftdi_ndtr", "N1"},
-              {"wifi_en", "F1"},
-              {"wifi_gpio0", "L2"}};
+  Balls balls{{"clk_25mhz", "G2"}, {"ftdi_txd", "M1"}, {"ftdi_rxd", "L4"},
+              {"ftdi_ndtr", "N1"}, {"wifi_en", "F1"},  {"wifi_gpio0", "L2"}};
   add(balls, "led", {"B2", "C2", "C1", "D2", "D1", "E2", "E1", "H3"});
   return balls;
 }
