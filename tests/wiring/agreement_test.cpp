@@ -216,15 +216,11 @@ TEST(InterfaceBoard, without_a_terminal_of_the_relay_is_found) {
   EXPECT_THAT(without_terminal(list), ElementsAre("+HEAT", "relay_coil"));
 }
 
-// Both heaters hang on the relay's contact alone, and their MOSFETs' sources on ground.
+// Both heaters hang on the relay's contact alone, and their MOSFETs alone on their other end.
 TEST(InterfaceBoard, leads_the_heaters_current_through_the_relay) {
   EXPECT_THAT(netlist().pins.at("+HEAT"), ElementsAre("F201.1", "F211.1", "J302.2", "K301.87"));
   for (const std::string copy : {"0", "1"}) {
     const std::string low = "heater_" + copy + "_low", q = "Q2" + copy;
-    for (const std::string transistor : {"1", "2"}) {
-      EXPECT_EQ(netlist().net_of(q + transistor + ".2"), low);
-      EXPECT_EQ(netlist().net_of(q + transistor + ".3"), "GND");
-    }
     EXPECT_THAT(netlist().pins.at(low), ElementsAre("J2" + copy + "1.2", q + "1.2", q + "2.2"));
   }
 }

@@ -131,10 +131,11 @@ void Browser::click_once(const std::string& selector) {
   if (run("return isClicked;") != true) throw BrowserError("click missed: " + selector);
 }
 
-void Browser::click(const std::string& selector) {
+// Where the page redraws or moves an element meanwhile, the action is repeated.
+void Browser::repeat(const std::function<void()>& action, const std::function<void()>& recover) {
   for (const auto end = std::chrono::steady_clock::now() + element_limit;;) {
     try {
-      click_once(selector);
+      action();
       return;
     } catch (const BrowserError& error) {
       const std::string_view why = error.what();
@@ -142,9 +143,16 @@ void Browser::click(const std::string& selector) {
                               why.contains("not interactable") || why.contains("click missed");
       if (!may_change || std::chrono::steady_clock::now() > end) throw;
     }
-    run("document.querySelector(arguments[0])?.scrollIntoView({block: 'center'});",
-        Json::array({selector}));
+    recover();
   }
+}
+
+void Browser::click(const std::string& selector) {
+  repeat([&] { click_once(selector); },
+         [&] {
+           run("document.querySelector(arguments[0])?.scrollIntoView({block: 'center'});",
+               Json::array({selector}));
+         });
 }
 
 void Browser::type(const std::string& selector, const std::string& text) {
@@ -188,19 +196,9 @@ void Browser::drag_once(const std::string& from, const std::string& to, int belo
   call("DELETE", "/actions");
 }
 
-// Where the page redraws an element meanwhile, the movement is made again.
 void Browser::drag(const std::string& from, const std::string& to, int below,
                    const std::string& pointer) {
-  for (const auto end = std::chrono::steady_clock::now() + element_limit;;) {
-    try {
-      drag_once(from, to, below, pointer);
-      return;
-    } catch (const BrowserError& error) {
-      const bool may_change = std::string_view(error.what()).contains("stale element");
-      if (!may_change || std::chrono::steady_clock::now() > end) throw;
-    }
-    call("DELETE", "/actions");
-  }
+  repeat([&] { drag_once(from, to, below, pointer); }, [&] { call("DELETE", "/actions"); });
 }
 
 Json Browser::run(const std::string& script, const Json& arguments) {

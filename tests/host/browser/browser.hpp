@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -57,6 +58,7 @@ class Browser {
  private:
   Json call(const std::string& method, const std::string& path, const Json& body = Json::object());
   Json element(const std::string& selector);
+  void repeat(const std::function<void()>& action, const std::function<void()>& recover);
   void click_once(const std::string& selector);
   void drag_once(const std::string& from, const std::string& to, int below,
                  const std::string& pointer);
