@@ -73,7 +73,7 @@ begin
     generic map (
       memory_size_bytes => memory_size_bytes, axes => axes, queue_depth => queue_depth,
       heaters => heaters, has_debug => has_debug, has_zbb => has_zbb,
-      memory_shows_clear => memory_shows_clear, has_known_frequency => true)
+      memory_shows_clear => memory_shows_clear)
     port map (
       -- One clock for all parts, never gated.
       clocks.free_running => clk,

@@ -30,8 +30,6 @@ entity printer_core is
     has_debug : boolean := false;
     has_zbb : boolean := false;
     memory_shows_clear : boolean := false;
-    -- clock_frequency_hz is a constant that synthesis knows: what depends on it takes no gates.
-    has_known_frequency : boolean := false;
     -- Without it, and without memory, `outer_request` drives the bus: in co-simulation, where a model of the
     -- processor takes its place.
     has_processor : boolean := true
@@ -122,15 +120,11 @@ begin
 
   fault <= heater_interrupt;
 
-  known_frequency : if has_known_frequency generate
+  register_inputs : process
+  begin
+    wait until rising_edge(clocks.peripherals);
     clock_frequency <= clock_frequency_hz;
-  else generate
-    register_frequency : process
-    begin
-      wait until rising_edge(clocks.peripherals);
-      clock_frequency <= clock_frequency_hz;
-    end process;
-  end generate;
+  end process;
 
   gating : entity work.clock_gating
     generic map (has_debug => has_debug)

@@ -81,7 +81,7 @@ begin
       tdi => tdi,
       tdo => tdo);
 
-  -- End stops that do not exist read as open circuits.
+  -- Those that there were not rest like open ones.
   switches <= (2 => end_stop(2), 1 => end_stop(1), 0 => end_stop(0), others => '1');
 
   drive_resistors : for pin in sensor_resistor'range generate

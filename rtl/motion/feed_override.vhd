@@ -98,20 +98,22 @@ architecture rtl of feed_override is
   end function;
 
   -- How much of the slope remains at a scale where the base's own acceleration adds to that of the scale:
-  -- a half, a quarter, an eighth, or, without any of these, nothing.
+  -- a half, a quarter, an eighth, nothing.
   type cut_t is record
-    to_half : std_ulogic;
     to_quarter : std_ulogic;
     to_eighth : std_ulogic;
+    to_nothing : std_ulogic;
   end record;
 
   function cut_at(at_scale : scale_t) return cut_t is
-    constant below_one : std_ulogic := at_scale(33) nor at_scale(32);
+    variable to_nothing : std_ulogic := '0';
   begin
+    if at_scale(33 downto 29) >= 7 then
+      to_nothing := '1';
+    end if;
     return (
-      to_half => below_one and not at_scale(31),
-      to_quarter => below_one and at_scale(31) and not at_scale(30),
-      to_eighth => below_one and at_scale(31) and at_scale(30) and not at_scale(29));
+      to_quarter => at_scale(31) and not at_scale(30), to_eighth => at_scale(31) and at_scale(30),
+      to_nothing => to_nothing);
   end function;
 
   -- That of the scale, known from the clock before.
@@ -119,8 +121,14 @@ architecture rtl of feed_override is
 
   function cut(full : slope_t; by : cut_t) return slope_t is
   begin
-    return (shift_right(full, 1) and by.to_half) or (shift_right(full, 2) and by.to_quarter) or
-           (shift_right(full, 3) and by.to_eighth);
+    if by.to_nothing then
+      return to_unsigned(0, full'length);
+    elsif by.to_eighth then
+      return shift_right(full, 3);
+    elsif by.to_quarter then
+      return shift_right(full, 2);
+    end if;
+    return shift_right(full, 1);
   end function;
 
   -- Whether a + b + carry - 2^16 * c is negative in two's complement. In the upper bits three numbers become

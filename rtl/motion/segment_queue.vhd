@@ -114,22 +114,23 @@ begin
   end generate;
 
   count_segments : process
+    variable next_count : natural range 0 to depth;
   begin
     wait until rising_edge(clk);
+    next_count := count;
     if append then
       last <= slot_after(last);
+      next_count := next_count + 1;
     end if;
     if take then
+      next_count := next_count - 1;
       head_valid <= '0';
-    end if;
-    -- `append` settles late in the clock: no sum waits for it.
-    if append xor take then
-      count <= count - 1 when take = '1' else count + 1;
     end if;
     if fetch then
       unread <= slot_after(unread);
       head_valid <= '1';
     end if;
+    count <= next_count;
     -- A clock later: `take` settles late in the clock.
     if count > highest_count then
       highest_count <= count;

@@ -112,7 +112,7 @@ architecture rtl of step_generator_core is
   signal first_errors : ticks_array_t(axes - 1 downto 0);
 
   -- The base is active, makes a tick, takes the head, and stalls or not, in this clock.
-  signal early_active, early_tick, early_take, early_take_without_stop, due : std_ulogic;
+  signal early_active, early_tick, early_take, due : std_ulogic;
   signal early_stop_on : stop_condition_t;
   -- In the clock before.
   signal executing, late_tick, take, begin_line, was_due : std_ulogic := '0';
@@ -190,8 +190,8 @@ begin
     port map (
       clk => clk, always_clk => always_clk, reset => reset, advance => advance, leap => leap,
       longest_leap => longest_leap, run => run, start => start_now, stop => stop, rate_floor => rate_floor,
-      head_valid => head_valid, head => head, take => early_take, take_without_stop => early_take_without_stop, due => due,
-      axes_ready => and ready, tick => early_tick, stalled => stalled, accelerating => accelerating, decelerating => decelerating,
+      head_valid => head_valid, head => head, take => early_take, due => due, axes_ready => and ready,
+      tick => early_tick, stalled => stalled, accelerating => accelerating, decelerating => decelerating,
       active => early_active, stop_on => early_stop_on, waiting => waiting, segments => segments,
       underruns => underruns, stalls => stalls);
 
@@ -200,12 +200,8 @@ begin
   begin
     wait until rising_edge(clk);
     late_tick <= early_tick and not reset;
-    take <= early_take_without_stop;
-    begin_line <= early_take_without_stop and not head.continues_line;
-    if stop or reset then
-      take <= '0';
-      begin_line <= '0';
-    end if;
+    take <= early_take and not reset;
+    begin_line <= early_take and not head.continues_line and not reset;
     was_due <= due and not reset;
     executing <= early_active and not stop and not reset;
     was_hit <= hit and not reset;

@@ -48,10 +48,8 @@ entity time_base is
 
     head_valid : in std_ulogic;
     head : in segment_t;
-    -- The head becomes the segment being executed with the next clock; and the same but for `stop`, which
-    -- settles as late as the carry.
+    -- The head becomes the segment being executed with the next clock.
     take : out std_ulogic;
-    take_without_stop : out std_ulogic;
 
     -- A tick is due. It is made unless an axis is not ready for its step: then the base stalls.
     due : out std_ulogic;
@@ -104,8 +102,6 @@ architecture rtl of time_base is
   signal goes_on, counts, loads : std_ulogic;
   -- The longest leaps that rates, floor and jerk permit.
   signal leap_of_head, leap_of_rate, leap_of_floor, leap_of_jerk : leap_t;
-  -- The longest by which the jerk can be shifted.
-  signal longest_of_jerk : leap_t := to_unsigned(2, 2);
 
   -- What a leap makes of a change per clock.
   function doubled(value : unsigned(63 downto 0); times : leap_t) return unsigned is
@@ -190,7 +186,7 @@ begin
 
   -- It stays where the change would take it out of its range.
   acceleration_change <= signed(doubled(unsigned(jerk), leap_of_jerk));
-  leap_of_jerk <= shorter(leap, longest_of_jerk);
+  leap_of_jerk <= shorter(leap, longest(jerk));
   next_acceleration <= acceleration + acceleration_change;
   acceleration_fits <= (acceleration(63) xor acceleration_change(63)) or
     (reaches_half(unsigned(acceleration(62 downto 0)), '0' & unsigned(acceleration_change(62 downto 0))) xnor
@@ -217,7 +213,6 @@ begin
   due <= active and advance and carry and not stop;
   tick <= may_tick and carry and not stop;
   take <= loads and not stop;
-  take_without_stop <= loads;
   waiting <= head_valid and head.waits_for_start and not active;
 
   integrate : process
@@ -260,7 +255,6 @@ begin
 
     if loads then
       jerk <= head.jerk;
-      longest_of_jerk <= longest(head.jerk);
       ends_motion <= head.ends_motion;
       stop_on <= head.stop_on;
     end if;

@@ -10,7 +10,7 @@ function(is_recorded variable group)
   foreach(path IN LISTS ARGN)
     if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/${path})
       file(GLOB_RECURSE found RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS LIST_DIRECTORIES false ${CMAKE_SOURCE_DIR}/${path}/*)
-      # Not pages, tables and pictures, nor what no recorded test runs or reads, such as placement.
+      # Pages, tables of results, pictures; what no recorded test runs or reads, placement among it.
       list(FILTER found EXCLUDE REGEX "\\.(md|tsv|svg)$|^boards/interface/|^tools/(figures|wiring)/|^tools/hardware/place_")
       list(APPEND files ${found})
     elseif(EXISTS ${CMAKE_SOURCE_DIR}/${path})

@@ -45,25 +45,19 @@ sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1init
   { echo "failed: the memory has other names than rtl/memory/README.md says" >&2; exit 1; }
 
 # Yosys has no delays for the block RAM, so it would optimise the wrong paths. For mapping, each
-# wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: as much as makes
-# the paths of the memory as long as the longest others with the fewest gates that they can have, three behind
-# an instruction and four behind data. With more, every other path might become as long; with less, they would
-# get another gate. The cell lies before the gates that join the banks, which are mapped with those behind
-# them. The wires from the processor to the parts on its bus are long as well: these lie all over the device.
+# wire to and from the memory passes a cell that only adds delay (ps). It is less than nextpnr's: these paths
+# are the longest even so and are mapped as short as they can be, and every other path may become as long.
+# It lies before the gates that join the banks, which are mapped with those behind them. The wires from the processor to
+# the parts on its bus are long as well: these lie all over the device.
 cat > work/ways.v <<'END'
-(* blackbox, abc9_box *) module way_from_instruction (input I, output O);
+(* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
-    (I => O) = 5800;
-  endspecify
-endmodule
-(* blackbox, abc9_box *) module way_from_data (input I, output O);
-  specify
-    (I => O) = 4700;
+    (I => O) = 5100;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
   specify
-    (I => O) = 2500;
+    (I => O) = 3000;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_bus (input I, output O);
@@ -78,8 +72,7 @@ endmodule
 endmodule
 END
 cat > work/no_ways.v <<'END'
-module way_from_instruction (input I, output O); assign O = I; endmodule
-module way_from_data (input I, output O); assign O = I; endmodule
+module way_from_block_ram (input I, output O); assign O = I; endmodule
 module way_to_block_ram (input I, output O); assign O = I; endmodule
 module way_to_bus (input I, output O); assign O = I; endmodule
 module way_to_control (input I, output O); assign O = I; endmodule
@@ -131,7 +124,7 @@ awk -v banks=$banks '
     split($0, part, /[ =;]+/)
     split(part[4], bits, /[^0-9]+/)
     if (banks == 1 || bits[2] - bits[3] == 31) {
-      print "  way_from_" (part[3] part[4] ~ /instruction/ ? "instruction" : "data") " way_from_" part[3] " [31:0] (.I(" part[4] "), .O(" part[3] "));"
+      print "  way_from_block_ram way_from_" part[3] " [31:0] (.I(" part[4] "), .O(" part[3] "));"
       next
     }
   }
@@ -139,7 +132,7 @@ awk -v banks=$banks '
   /^endmodule/ { inside = 0 }
   { print }
 ' work/synthesis.v > work/with_ways.v
-[ "$(grep -c 'way_\(to_block_ram\|from_[a-z]*\) way' work/with_ways.v)" = $((banks > 1 ? 9 + 3 * banks : 11)) ] ||
+[ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = $((banks > 1 ? 9 + 3 * banks : 11)) ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
 # The memory alone has no bus.
 [ "$(grep -c 'way_to_bus way' work/with_ways.v)" = $((5 * $(grep -c '^module data_access' work/synthesis.v))) ] ||
@@ -164,10 +157,7 @@ awk -v wire=$wire '
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   read_verilog -sv work/with_ways.v $(find "$project/boards" -path "$project/boards/$board/*.v" -printf '%p ');
-  synth_ecp5 -no-rw-check -top $board -run begin:coarse;
-  proc; flatten; opt_expr; opt_clean;
-  techmap -map $project/tools/hardware/ecp5_compare_map.v;
-  synth_ecp5 -no-rw-check -top $board -run coarse:map_luts;
+  synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   techmap -max_iter 1 -map work/control_ways.v;
   clean;
@@ -181,16 +171,16 @@ unmapped="read_verilog -lib -specify +/ecp5/cells_sim.v +/ecp5/cells_bb.v;
 # mapped: small changes anywhere may cost a level of gates. So some forms are mapped, and the fastest is taken.
 map="&if -W $wire -D 8500 -v"
 cat > work/recipes <<END
-&sweep; &syn2; &dch; $map
-&sweep; &syn2; &dch; $map; &synch2 -K 4; $map
-&sweep; &syn2; &dch; $map; &synch2 -K 4 -R 0; $map; &synch2 -K 4 -R 0; $map
-&sweep; &b -d; &syn2; &dch; $map
-&sweep; &b -d; &syn2; &dch; $map; &synch2 -K 4; $map
-&sweep; &b -a; &syn2; &dch; $map; &synch2 -K 4; $map
 &sweep; &dch; $map; &synch2 -K 4; $map
-&sweep; &b -d; &dch; $map; &synch2 -K 4; $map
+&sweep; &dch; $map; &synch2 -K 4 -f; $map
+&sweep; &dch; $map; &synch2 -K 4 -R 0; $map; &synch2 -K 4 -R 0; $map
 &sweep; &dch -f; $map; &synch2 -K 4; $map
+&sweep; &b -d; &dch; $map; &synch2 -K 4; $map
+&sweep; &b -d; &dch -x; $map; &synch2 -K 4; $map
+&sweep; &b -a; &dch; $map; &synch2 -K 4; $map
 &sweep; &synch2 -K 4; $map; &synch2 -K 4; $map
+&sweep; &synch2 -K 4; $map
+&sweep; &b -a; &synch2 -K 4; $map; &synch2 -K 4; $map
 END
 echo "&sweep; $map" > work/recipe
 rm -rf _tmp_yosys-abc-*
