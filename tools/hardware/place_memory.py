@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run by nextpnr-ecp5 before it places: gives each block RAM of the chip's memory its place, in the
-# two rows of blocks that lie nearest to each other, around their middle. The same bits of a word's four
-# bytes, of which a load chooses one, and of its half words, of which a fetch does, lie side by side. In
-# the middle are the lowest bits, which say how long an instruction is, and the highest, which extend a
-# sign: the longest paths begin there. From left to right: 4, 5, 6, 7, 0, 1, 2, 3. On a larger device the
-# logic gets a region around the same middle, as large as a 25F's. The placer spreads it over the whole
-# device otherwise, and the longest paths cross it.
+# two rows of blocks that lie nearest to each other, around their middle, from the lowest bit of a
+# byte to the highest: the same bits of a word's four bytes, of which a load chooses one, and of its
+# half words, of which a fetch does, lie side by side. On a larger device the logic gets a region around
+# the same middle, as large as a 25F's. The placer spreads it over the whole device otherwise, and the
+# longest paths cross it.
 
 import re
 
@@ -36,8 +35,7 @@ blocks = []
 for (bank, lane), cells in lanes.items():
     cells.sort(key=lambda block: block[:2])
     for index, (_, _, cell) in enumerate(cells):
-        place = ((index + 0.5) / len(cells) + 0.5) % 1 if len(cells) > 1 else 0.5
-        blocks.append((place, lane, bank, cell))
+        blocks.append(((index + 0.5) / len(cells), lane, bank, cell))
 blocks.sort(key=lambda block: block[:3])
 
 wide = (len(blocks) + 1) // 2
