@@ -8,8 +8,9 @@ project=$1 board=$2 netlist=$3/netlist.json contents=$3/contents.hex device=$4 s
 
 . "$project/tools/hardware/steps.sh"
 
-# Timing-critical nets weigh more than total wire length (nextpnr's default is 10).
-weights=(--placer-heap-timingweight 80)
+# Timing-critical nets weigh more than total wire length (nextpnr's default is 10) and are routed a second time.
+timing=(--placer-heap-timingweight 80 --post-route "$project/tools/hardware/place_critical.py" --timing-allow-fail)
+export PYTHONPATH=$project/tools/hardware PYTHONDONTWRITEBYTECODE=1
 
 mkdir -p "$directory"
 cd "$directory"
@@ -19,7 +20,7 @@ rm -f report.json pins.json "$board.bit"
 if [ ! -f "$project/boards/$board/connections.csv" ]; then
   place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
     --lpf "$project/constraints/$board.lpf" --lpf-allow-unconstrained --report report.json \
-    --seed "$seed" "${weights[@]}" --timing-allow-fail
+    --seed "$seed" "${timing[@]}"
   exit
 fi
 
@@ -40,6 +41,6 @@ awk -F, '
   "$project/boards/$board/connections.csv" > pins.json
 
 place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
-  --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${weights[@]}" --timing-allow-fail \
+  --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${timing[@]}" \
   --pre-place "$project/tools/hardware/place_memory.py"
 "$project/tools/hardware/pack_bitstream.sh" layout.config "$contents" "$firmware" "$board.bit"
