@@ -1,31 +1,60 @@
 # SPDX-License-Identifier: Apache-2.0
 """The longest path through each connection of a design on an ECP5 of speed grade 6.
 
-Nets and connections have numbers. A connection leads from its net's driver to one input. Delays are in ps, those
-of the cells from Project Trellis' database (timing/speed_6/cells.json), its largest of each three.
+Nets and connections have numbers. A connection leads from its net's driver to one input. Times are in ps; those of
+the cells are from Project Trellis' database, the largest of each three as in nextpnr.
 """
 
+import json
 import re
 
-MEMORY, MULTIPLIER, LOGIC = "DP16KD", "MULT18X18D", "TRELLIS_COMB"
-REGISTER_TO_OUTPUT = 525
-MEMORY_TO_OUTPUT = {"A": 5609, "B": 5830}
-MULTIPLY = 3927
-# From an input A to D, by the output; the other inputs by their names.
-FROM_LOGIC_INPUT = {"F": 236, "FCO": 447, "OFX": 401}
-FROM_WIDE_INPUT = {"FXA": 242, "FXB": 242, "M": 256, "F1": 256}
-# From the carry input, for the two halves of a pair.
-CARRY_TO_CARRY, CARRY_TO_LOGIC = (0, 71), (443, 403)
-SETUP = {
-    "TRELLIS_FF": {"LSR": 424},
-    MEMORY: {"RSTA": 585, "RSTB": 585},
-    LOGIC: {},
-    "TRELLIS_RAMW": {},
-    "IOLOGIC": {},
-    "SIOLOGIC": {},
-}
-SETUP_OTHERWISE = {MEMORY: 205}
+DATABASE = "/usr/share/trellis/database/ECP5/timing/speed_6/cells.json"
+CELLS_OF_LOGIC, CELLS_WITH_CARRY = "SLOGICB", "SCCU2C"
+MEMORY, MULTIPLIER, LOGIC, REGISTER = "DP16KD", "MULT18X18D", "TRELLIS_COMB", "TRELLIS_FF"
+# Those registers within which a path may end.
+ENDS = {REGISTER, MEMORY, LOGIC, "TRELLIS_RAMW", "IOLOGIC", "SIOLOGIC"}
 CLOCKS = {"CLK", "WCK", "CLKA", "CLKB"}
+
+with open(DATABASE, encoding="utf-8") as file:
+    database = json.load(file)
+
+
+def delay_of(cell, start, end):
+    """From one pin of a cell of the database to another."""
+    delays = [max(entry["rising"][2], entry["falling"][2]) for entry in database[cell]
+              if entry["type"] == "IOPath" and entry["from_pin"] == start and entry["to_pin"] == end]
+    if not delays:
+        raise SystemExit("%s has no delay of %s from %s to %s" % (DATABASE, cell, start, end))
+    return max(delays)
+
+
+def setups_of(cell):
+    """pin -> what it needs before the clock."""
+    setups = {}
+    for entry in database[cell]:
+        if entry["type"] == "SetupHold":
+            setups[entry["pin"]] = max(entry["setup"][2], setups.get(entry["pin"], 0))
+    return setups
+
+
+# Neither cell has registers of its own behind it.
+MEMORY_CELL, MULTIPLIER_CELL = MEMORY + ":REGMODE_A=NOREG,REGMODE_B=NOREG", MULTIPLIER + ":REGS=NONE"
+REGISTER_TO_OUTPUT = delay_of(CELLS_OF_LOGIC, "CLK", "Q0")
+MEMORY_TO_OUTPUT = {port: delay_of(MEMORY_CELL, "CLK" + port, "DO" + port + "0") for port in "AB"}
+MULTIPLY = delay_of(MULTIPLIER_CELL, "A", "P")
+# From an input A to D, by the output; the other inputs by their names.
+FROM_LOGIC_INPUT = {
+    "F": delay_of(CELLS_OF_LOGIC, "A0", "F0"),
+    "OFX": delay_of(CELLS_OF_LOGIC, "A0", "OFX0"),
+    "FCO": delay_of(CELLS_WITH_CARRY, "A0", "FCO"),
+}
+SELECT = delay_of(CELLS_OF_LOGIC, "M0", "OFX0")
+FROM_WIDE_INPUT = {"M": SELECT, "F1": SELECT} | {pin: delay_of(CELLS_OF_LOGIC, pin, "OFX1") for pin in ("FXA", "FXB")}
+# From the carry input, for the two halves of a pair: the first one's has no delay within the pair.
+CARRY = delay_of(CELLS_WITH_CARRY, "FCI", "FCO")
+CARRY_TO_CARRY = 0, CARRY
+CARRY_TO_LOGIC = delay_of(CELLS_WITH_CARRY, "FCI", "F0"), delay_of(CELLS_WITH_CARRY, "FCI", "F1") - CARRY
+SETUP = {REGISTER: setups_of(CELLS_OF_LOGIC), MEMORY: setups_of(MEMORY_CELL)}
 
 
 def through(kind, cell, pin, output):
@@ -64,7 +93,7 @@ class Timing:
             kind = kinds[cell]
             if kind == MEMORY:
                 self.start[net] = MEMORY_TO_OUTPUT[port[2]]
-            elif kind == "TRELLIS_FF":
+            elif kind == REGISTER:
                 self.start[net] = REGISTER_TO_OUTPUT
             else:
                 for connection, pin in inputs.get(cell, []):
@@ -75,8 +104,8 @@ class Timing:
         for net, ends in enumerate(users):
             for connection, (cell, pin) in zip(self.connections[net], ends):
                 kind = kinds[cell]
-                if kind in SETUP and pin not in CLOCKS and not self.after[connection]:
-                    self.setup[connection] = SETUP[kind].get(pin, SETUP_OTHERWISE.get(kind, 0))
+                if kind in ENDS and pin not in CLOCKS and not self.after[connection]:
+                    self.setup[connection] = SETUP.get(kind, {}).get(pin, 0)
         self.order = self.sorted_nets()
 
     def sorted_nets(self):

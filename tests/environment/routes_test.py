@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tools/hardware/place_critical.py on small devices, with a stand-in for nextpnr that refuses what nextpnr refuses.
+
+Usage: routes_test.py FOLDER_OF_THE_SCRIPT
+"""
+
+import io
+import os
+import random
+import re
+import subprocess
+import sys
+import unittest
+from contextlib import redirect_stdout
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+scripts = Path(sys.argv.pop(1))
+sys.path.insert(0, str(scripts))
+
+# place_routes.py takes STRENGTH_WEAK and ctx from here, as from nextpnr.
+from small_device import STRENGTH_WEAK, Device  # noqa: E402, F401
+
+
+def run_script(device):
+    """Runs the script as nextpnr does; returns what it says."""
+    global ctx
+    ctx = device
+    for module in ("place_routes", "place_timing"):
+        sys.modules.pop(module, None)
+    said = io.StringIO()
+    with redirect_stdout(said):
+        exec(compile((scripts / "place_critical.py").read_text(), "place_critical.py", "exec"), {"ctx": device})
+    return said.getvalue()
+
+
+def random_device(seed, tracks):
+    """Registers, three layers of gates, registers; the nets are routed in an order by chance."""
+    chance = random.Random(seed)
+    width = height = 7
+    device = Device(width, height, tracks, seed)
+    places = [(x, y) for x in range(width) for y in range(height)]
+    chance.shuffle(places)
+    layers, names = [[], [], [], []], iter(range(10**6))
+    for layer in range(4):
+        for _ in range(9):
+            name = "%s%d" % ("r" if layer == 0 else "g", next(names))
+            device.cell(name, "TRELLIS_FF" if layer == 0 else "TRELLIS_COMB", *places.pop())
+            layers[layer].append(name)
+    users = {name: [] for layer in layers for name in layer}
+    for layer in (1, 2, 3):
+        for name in layers[layer]:
+            for pin in chance.sample("ABCD", 2):
+                users[chance.choice(layers[layer - 1] if pin == "A" else sum(layers[:layer], []))].append((name, pin))
+    for index, name in enumerate(layers[0]):
+        users[layers[3][index]].append((name, "DI"))
+    for name, ends in users.items():
+        if ends:
+            device.net("n_" + name, (name, "Q" if name[0] == "r" else "F"), ends)
+    order = [name for name, _ in device.nets]
+    chance.shuffle(order)
+    return device if device.first_routes(order) else None
+
+
+class Routes(unittest.TestCase):
+    def test_random_devices_stay_routed_and_become_no_slower(self):
+        faster = devices = 0
+        for seed in range(60):
+            device = random_device(seed, 8 + seed % 4)
+            if device is None:
+                continue
+            devices += 1
+            device.check(self)
+            before = device.longest_path()
+            said = run_script(device)
+            device.check(self)
+            after = device.longest_path()
+            self.assertTrue(device.routed, "nextpnr has not seen the new routes")
+            told = re.search(r"^Longest path: (\d+) ps, before (\d+) ps$", said, re.MULTILINE)
+            self.assertEqual((int(told[1]), int(told[2])), (after, before), "seed %d" % seed)
+            self.assertLessEqual(after, before, "seed %d" % seed)
+            faster += after < before
+        self.assertGreater(devices, 20)
+        self.assertGreater(faster, 0.8 * devices)
+
+    def test_attempts_that_gain_nothing_are_taken_back(self):
+        device = random_device(2, 8)
+        path, state = None, None
+        for _ in range(10):
+            if device.longest_path() == path:
+                break
+            path = device.longest_path()
+            run_script(device)
+            state, gained = device.state(), device.longest_path() < path
+        self.assertFalse(gained)
+        run_script(device)
+        self.assertEqual(device.state(), state)
+
+    def test_the_result_does_not_depend_on_the_run(self):
+        states = set()
+        for hash_seed in ("1", "2"):
+            program = [sys.executable, __file__, str(scripts), "--state"]
+            states.add(subprocess.run(program, env=os.environ | {"PYTHONHASHSEED": hash_seed}, check=True,
+                                      capture_output=True, text=True).stdout)
+        self.assertEqual(len(states), 1)
+
+
+if __name__ == "__main__":
+    if "--state" in sys.argv:
+        changed = random_device(2, 8)
+        run_script(changed)
+        print(changed.state())
+    else:
+        unittest.main()
