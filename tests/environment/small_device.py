@@ -34,7 +34,7 @@ class Device:
                             self.add(wire, "X%d/Y%d/N%d" % (x + dx, y + dy, other), chance.randint(70, 180))
                     for output in ("F0", "Q0"):
                         self.add(at + output, wire, chance.randint(20, 60))
-                    for pin in ("A0", "B0", "C0", "D0", "DI0"):
+                    for pin in ("A0", "B0", "C0", "D0", "DI0", "CE0", "CLK0"):
                         self.add(wire, at + pin, chance.randint(20, 60))
         self.blocked = {pip for pip in self.ends if chance.random() < 0.02}
         self.wire_net, self.pip_net, self.users = {}, {}, {}
@@ -63,7 +63,7 @@ class Device:
         return SimpleNamespace(maxDelay=lambda: delay)
 
     def getBelPinWire(self, bel, port):
-        return bel + (port if port in ("A", "B", "C", "D", "F", "Q", "DI") else "?") + "0"
+        return bel + port + "0"
 
     def checkPipAvail(self, pip):
         return pip not in self.pip_net and pip not in self.blocked
@@ -156,13 +156,13 @@ class Device:
                 driver = self.nets[name].driver
                 found[name] = REGISTER if driver.port == "Q" else GATE + max(
                     (reach(other, user) for other, net in self.nets for user in net.users
-                     if user.cell is driver.cell and user.port != "DI"), default=-10**9)
+                     if user.cell is driver.cell and user.port in ("A", "B", "C", "D")), default=-10**9)
             return found[name]
 
         def reach(name, user):
             return arrival(name) + self.delay_to(self.nets[name], self.pin(user))
 
-        return max(reach(name, user) for name, net in self.nets for user in net.users if user.port == "DI")
+        return max(reach(name, user) for name, net in self.nets for user in net.users if user.port in ("DI", "CE"))
 
     def check(self, test):
         """Each connection has a way of its net's own wires from its driver, and nothing else is bound."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run by nextpnr-ecp5 after it has routed: routes the connections of the longest paths again. Its router leaves them
-# about a third longer than the shortest way: what needs many wires comes first, not what is late. Here a critical
-# connection may take a wire from one that has time to spare, which gets a way around.
+# longer than necessary: it routes nets that need many wires first, not the late ones. Here a critical connection may
+# take a wire from one that has slack, which then gets a detour.
 #
 # Each round analyses the paths with the delays as routed, gives the connections of those longer than its goal their
-# fastest way, worst first, and then a new way to each connection that has lost a wire. The best complete routing is
+# fastest route, worst first, and then a new route to each connection that has lost a wire. The best complete routing is
 # kept; nextpnr checks it and analyses it again. Effort is counted in wires, so that the result does not depend on the
 # computer.
 
@@ -14,19 +14,26 @@ import sys
 
 from place_routes import Routes
 
-# By which part a round shortens the longest path; after one that fails the next tries half of it, down to the least.
-STEP, LEAST_STEP = 0.02, 0.004
-# A connection on a path longer than this part of the goal keeps its wires.
+# The fraction by which a round shortens the longest path; after one that fails the next tries half of it.
+STEP = 0.02
+LEAST_STEP = 0.004
+# A connection on a path longer than this fraction of the goal keeps its wires.
 GUARD = 0.985
-# Visited wires: in one search, for new ways in one round, and in all.
-SEARCH_EFFORT, ROUND_EFFORT, EFFORT = 60000, 1000000, 4500000
+# Visited wires: in one search, for new routes in one round, and in all. A search counts for at least SEARCH_COST.
+SEARCH_EFFORT = 60000
+ROUND_EFFORT = 2000000
+EFFORT = 8000000
+SEARCH_COST = 100
 # The least delay of one tile of distance, in ps.
 TILE = 66
-# What it costs to take a wire from another connection, in ps: for a critical one, and at most; from a critical one,
-# for which there may be no other way; and what it costs more each time that the wire is taken.
-TAKE, TAKE_MOST, TAKE_KEPT, TAKE_AGAIN = 40, 1000, 2000, 300
-# A connection with so much time to spare, in ps, may be searched for in haste.
-HASTE = 1500
+# The cost of taking a wire from another connection, in ps: for a critical connection, and at most; from a critical one,
+# for which there may be no other route; and the extra cost each time that a wire is taken.
+TAKE = 40
+TAKE_MOST = 1000
+TAKE_KEPT = 2000
+TAKE_AGAIN = 300
+# A connection with this slack, in ps, is searched for with a greedier estimate.
+GREEDY = 1500
 ANALYSE_AFTER = 50
 FOREVER = 1 << 30
 
@@ -34,7 +41,7 @@ position = re.compile(r"X(\d+)/Y(\d+)/([ABCDM]\d)?")
 
 
 class Router:
-    """`lost`: connections without a way, in order; `kept`: wires of critical connections; `effort`: visited wires."""
+    """`lost`: unrouted connections, in order; `kept`: wires of critical connections; `effort`: visited wires."""
 
     def __init__(self, routes):
         self.routes, self.timing = routes, routes.timing
@@ -50,7 +57,8 @@ class Router:
         return place
 
     def pips_from(self, wire):
-        """The pips that lead on, and for each tile those into inputs of its logic."""
+        """The pips that lead on, and for each tile those into inputs of its logic; with the delays of the first look: a
+        wire that leads to more wires later is a little slower."""
         found = self.ahead.get(wire)
         if found is None:
             on, into = [], {}
@@ -66,7 +74,7 @@ class Router:
         return found
 
     def search(self, net, goal, limit, take, tile):
-        """The fastest way (A*) from a net's wires to GOAL, as (wire, (pip, wire before it)); None if it is longer
+        """The fastest route (A*) from a net's wires to GOAL, as (wire, (pip, wire before it)); None if it is longer
         than LIMIT, in ps."""
         best, back, done = self.routes.measure(net), {}, set()
         if not best:
@@ -77,7 +85,7 @@ class Router:
             x, y, _ = self.place(wire)
             heap.append((delay + tile * max(0, abs(x - goal_x) + abs(y - goal_y) - 3), wire))
         heapq.heapify(heap)
-        self.effort += len(heap)
+        self.effort += len(heap) + SEARCH_COST
         owner, kept, taken = self.routes.owner, self.kept, self.taken
         while heap and len(done) < SEARCH_EFFORT:
             total, wire = heapq.heappop(heap)
@@ -113,7 +121,7 @@ class Router:
         return None
 
     def connect(self, connection, take, tile):
-        """Gives a connection its fastest way, if that is faster than the one that it has."""
+        """Gives a connection its fastest route, if that is faster than the one that it has."""
         routes, goal, net = self.routes, self.routes.sinks[connection], self.timing.net_of[connection]
         has_way = goal in routes.wires[net]
         limit = self.timing.delay[connection] if has_way else FOREVER
@@ -122,6 +130,7 @@ class Router:
         if way is None:
             for wire, origin in reversed(removed):
                 routes.bind(net, wire, origin)
+            routes.measure(net)
             return
         for wire, _ in way:
             if routes.owner.get(wire, net) != net:
@@ -129,7 +138,8 @@ class Router:
                 for other in routes.free(wire):
                     self.lost[other] = True
         routes.replace(net, way)
-        self.lost.pop(connection, None)
+        for other in routes.sinks_at[net][goal]:
+            self.lost.pop(other, None)
 
     def keep(self, connection):
         wires, wire = self.routes.wires[self.timing.net_of[connection]], self.routes.sinks[connection]
@@ -150,6 +160,8 @@ class Router:
         length = self.timing.length
         late = sorted((c for c in range(len(length)) if length[c] > goal), key=lambda c: -length[c])
         for count, connection in enumerate(late):
+            if self.effort >= EFFORT:
+                break
             if count % ANALYSE_AFTER == ANALYSE_AFTER - 1:
                 self.analyse(goal)
             if length[connection] > goal:
@@ -157,7 +169,7 @@ class Router:
                 self.keep(connection)
 
     def mend(self, goal):
-        """A new way for each connection that has lost its own, without a wire of another if it has the time."""
+        """A new route for each unrouted connection, without a wire of another one if it has slack."""
         self.analyse(goal)
         length, end, waiting = self.timing.length, self.effort + ROUND_EFFORT, []
         while self.lost and self.effort < end:
@@ -166,8 +178,8 @@ class Router:
             connection = waiting.pop()
             if connection not in self.lost:
                 continue
-            spare = goal - length[connection]
-            self.connect(connection, min(TAKE_MOST, max(TAKE, 0.3 * spare)), TILE if spare < HASTE else 2 * TILE)
+            slack = goal - length[connection]
+            self.connect(connection, min(TAKE_MOST, max(TAKE, 0.3 * slack)), TILE if slack < GREEDY else 2 * TILE)
             if length[connection] >= GUARD * goal:
                 self.keep(connection)
         return self.analyse(goal)
@@ -183,7 +195,7 @@ def improve():
         goal = (1 - step) * longest
         router.shorten(goal)
         now = router.mend(goal)
-        print("Goal %d ps: %d ps, %d connections without a way, %d wires visited" %
+        print("Goal %d ps: %d ps, %d connections unrouted, %d wires visited" %
               (goal, now, len(router.lost), router.effort))
         sys.stdout.flush()
         if router.lost or now >= longest:

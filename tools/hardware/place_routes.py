@@ -3,7 +3,20 @@
 
 from __main__ import STRENGTH_WEAK, ctx
 
-from place_timing import Timing
+from place_timing import CLOCKS, Timing
+
+# What drives or takes clocks.
+CLOCK_CELLS = {"DCCA", "DCSC", "EHXPLLL", "OSCG", "CLKDIVF", "ECLKSYNCB", "ECLKBRIDGECS", "DDRDLLA", "DQSBUFM"}
+
+
+def is_fixed(net):
+    """Clocks and constants keep their routes."""
+    if net.name.startswith(("$PACKER", "$glbnet$")) or net.driver.cell.type in CLOCK_CELLS:
+        return True
+    for user in net.users:
+        if user.port in CLOCKS or user.cell.type in CLOCK_CELLS:
+            return True
+    return False
 
 
 class Routes:
@@ -20,8 +33,7 @@ class Routes:
             driver = net.driver
             if driver.cell is None:
                 continue
-            # Clocks and constants stay as they are.
-            fixed = name.startswith(("$PACKER", "$glbnet$"))
+            fixed = is_fixed(net)
             number, wires = -1 if fixed else len(self.names), {}
             for wire, bound in net.wires:
                 self.owner[wire] = number
@@ -33,7 +45,8 @@ class Routes:
                 end = user.cell.name, user.port
                 wire = ctx.getBelPinWire(bels[end[0]], end[1])
                 ends.append(end)
-                at[wire] = len(self.sinks)
+                # The two registers of a slice, for example, have one wire for their enables.
+                at.setdefault(wire, []).append(len(self.sinks))
                 self.sinks.append(wire)
             self.names.append(name)
             self.sources.append(ctx.getBelPinWire(bels[driver.cell.name], driver.port))
@@ -57,9 +70,10 @@ class Routes:
             for wire in reversed(way):
                 pip, earlier = wires[wire]
                 delays[wire] = delays[earlier] + ctx.getPipDelay(pip).maxDelay()
-        for wire, connection in self.sinks_at[net].items():
+        for wire, connections in self.sinks_at[net].items():
             if wire in delays:
-                self.timing.delay[connection] = delays[wire]
+                for connection in connections:
+                    self.timing.delay[connection] = delays[wire]
         return delays
 
     def bind(self, net, wire, origin):
@@ -94,14 +108,13 @@ class Routes:
         return removed
 
     def free(self, wire):
-        """Removes a wire of a net and all behind it; returns the connections that have lost their way."""
+        """Removes a wire of a net and all behind it; returns the connections that are unrouted now."""
         net, lost, behind = self.owner[wire], [], [wire]
         branches, origin = self.branches(net), self.wires[net][wire]
         while behind:
             end = behind.pop()
             behind += branches.get(end, [])
-            if end in self.sinks_at[net]:
-                lost.append(self.sinks_at[net][end])
+            lost += self.sinks_at[net].get(end, [])
             self.unbind(net, end)
         if origin:
             self.prune(net, origin[1])

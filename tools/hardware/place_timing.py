@@ -2,17 +2,19 @@
 """The longest path through each connection of a design on an ECP5 of speed grade 6.
 
 Nets and connections have numbers. A connection leads from its net's driver to one input. Times are in ps; those of
-the cells are from Project Trellis' database, the largest of each three as in nextpnr.
+the cells are from Project Trellis' database, the slowest of each three as in nextpnr. It has no I/O registers: theirs
+are nextpnr's own. Multipliers and block RAM are taken for those without registers behind them.
 """
 
 import json
 import re
 
 DATABASE = "/usr/share/trellis/database/ECP5/timing/speed_6/cells.json"
-CELLS_OF_LOGIC, CELLS_WITH_CARRY = "SLOGICB", "SCCU2C"
+SLICE, SLICE_WITH_CARRY, SLICE_WITH_RAM = "SLOGICB", "SCCU2C", "SDPRAME"
 MEMORY, MULTIPLIER, LOGIC, REGISTER = "DP16KD", "MULT18X18D", "TRELLIS_COMB", "TRELLIS_FF"
-# Those registers within which a path may end.
-ENDS = {REGISTER, MEMORY, LOGIC, "TRELLIS_RAMW", "IOLOGIC", "SIOLOGIC"}
+IO_REGISTERS = {"IOLOGIC", "SIOLOGIC"}
+# Cells in which a path may end.
+ENDS = {REGISTER, MEMORY, LOGIC, "TRELLIS_RAMW"} | IO_REGISTERS
 CLOCKS = {"CLK", "WCK", "CLKA", "CLKB"}
 
 with open(DATABASE, encoding="utf-8") as file:
@@ -29,7 +31,7 @@ def delay_of(cell, start, end):
 
 
 def setups_of(cell):
-    """pin -> what it needs before the clock."""
+    """pin -> setup time"""
     setups = {}
     for entry in database[cell]:
         if entry["type"] == "SetupHold":
@@ -37,36 +39,48 @@ def setups_of(cell):
     return setups
 
 
-# Neither cell has registers of its own behind it.
 MEMORY_CELL, MULTIPLIER_CELL = MEMORY + ":REGMODE_A=NOREG,REGMODE_B=NOREG", MULTIPLIER + ":REGS=NONE"
-REGISTER_TO_OUTPUT = delay_of(CELLS_OF_LOGIC, "CLK", "Q0")
+REGISTER_TO_OUTPUT = delay_of(SLICE, "CLK", "Q0")
+IO_REGISTER_TO_OUTPUT, IO_REGISTER_SETUP = 500, 100
 MEMORY_TO_OUTPUT = {port: delay_of(MEMORY_CELL, "CLK" + port, "DO" + port + "0") for port in "AB"}
 MULTIPLY = delay_of(MULTIPLIER_CELL, "A", "P")
-# From an input A to D, by the output; the other inputs by their names.
+# From an input A to D, by the output.
 FROM_LOGIC_INPUT = {
-    "F": delay_of(CELLS_OF_LOGIC, "A0", "F0"),
-    "OFX": delay_of(CELLS_OF_LOGIC, "A0", "OFX0"),
-    "FCO": delay_of(CELLS_WITH_CARRY, "A0", "FCO"),
+    "F": delay_of(SLICE, "A0", "F0"),
+    "OFX": delay_of(SLICE, "A0", "OFX0"),
+    "FCO": delay_of(SLICE_WITH_CARRY, "A0", "FCO"),
 }
-SELECT = delay_of(CELLS_OF_LOGIC, "M0", "OFX0")
-FROM_WIDE_INPUT = {"M": SELECT, "F1": SELECT} | {pin: delay_of(CELLS_OF_LOGIC, pin, "OFX1") for pin in ("FXA", "FXB")}
-# From the carry input, for the two halves of a pair: the first one's has no delay within the pair.
-CARRY = delay_of(CELLS_WITH_CARRY, "FCI", "FCO")
-CARRY_TO_CARRY = 0, CARRY
-CARRY_TO_LOGIC = delay_of(CELLS_WITH_CARRY, "FCI", "F0"), delay_of(CELLS_WITH_CARRY, "FCI", "F1") - CARRY
-SETUP = {REGISTER: setups_of(CELLS_OF_LOGIC), MEMORY: setups_of(MEMORY_CELL)}
+TO_WIDE_OUTPUT = {pin: delay_of(SLICE, pin, "OFX1") for pin in ("FXA", "FXB")} | {
+    "M": delay_of(SLICE, "M0", "OFX0"),
+    "F1": FROM_LOGIC_INPUT["OFX"] - FROM_LOGIC_INPUT["F"],
+}
+# From the carry input, for the first and the second half of a pair: nextpnr has the delay of the pair in the first.
+CARRY = delay_of(SLICE_WITH_CARRY, "FCI", "FCO")
+FROM_CARRY = (
+    {"FCO": CARRY, "F": delay_of(SLICE_WITH_CARRY, "FCI", "F0")},
+    {"FCO": 0, "F": delay_of(SLICE_WITH_CARRY, "FCI", "F1") - CARRY},
+)
+SETUP = {REGISTER: setups_of(SLICE), MEMORY: setups_of(MEMORY_CELL), LOGIC: setups_of(SLICE_WITH_RAM)}
 
 
 def through(kind, cell, pin, output):
     """The delay from an input to an output that depends on it without a register between them, or None."""
     if kind == LOGIC:
         if pin == "FCI":
-            half = 0 if cell.endswith("0") else 1
-            return CARRY_TO_CARRY[half] if output == "FCO" else CARRY_TO_LOGIC[half]
-        return FROM_LOGIC_INPUT.get(output) if pin in ("A", "B", "C", "D") else FROM_WIDE_INPUT.get(pin)
+            return FROM_CARRY[0 if cell.endswith("0") else 1].get(output)
+        if pin in ("A", "B", "C", "D"):
+            return FROM_LOGIC_INPUT.get(output)
+        return TO_WIDE_OUTPUT.get(pin) if output == "OFX" else None
     if kind == MULTIPLIER and output[0] == "P" and re.fullmatch(r"[AB]\d+", pin):
         return MULTIPLY
     return None
+
+
+def setup(kind, pin):
+    """The setup time of an input in which a path may end, otherwise None."""
+    if kind not in ENDS or pin in CLOCKS:
+        return None
+    return IO_REGISTER_SETUP if kind in IO_REGISTERS else SETUP.get(kind, {}).get(pin, 0)
 
 
 class Timing:
@@ -85,8 +99,8 @@ class Timing:
                 inputs.setdefault(cell, []).append((connection, pin))
         self.delay, self.length = [0] * len(self.net_of), [0] * len(self.net_of)
 
-        # When a net is valid that a register drives; on which connections it depends otherwise, and with which
-        # delay in the cell; which nets depend on a connection; what it needs in front of a register.
+        # The delay of the register that drives a net; the connections that another net depends on, with the delay
+        # of the cell; the nets that depend on a connection; the setup time of a connection that ends a path.
         self.start, self.before = [None] * nets, [[] for _ in range(nets)]
         self.after, self.setup = [[] for _ in self.net_of], [None] * len(self.net_of)
         for net, (cell, port) in enumerate(drivers):
@@ -95,6 +109,8 @@ class Timing:
                 self.start[net] = MEMORY_TO_OUTPUT[port[2]]
             elif kind == REGISTER:
                 self.start[net] = REGISTER_TO_OUTPUT
+            elif kind in IO_REGISTERS:
+                self.start[net] = IO_REGISTER_TO_OUTPUT
             else:
                 for connection, pin in inputs.get(cell, []):
                     delay = through(kind, cell, pin, port)
@@ -103,10 +119,11 @@ class Timing:
                         self.after[connection].append((net, delay))
         for net, ends in enumerate(users):
             for connection, (cell, pin) in zip(self.connections[net], ends):
-                kind = kinds[cell]
-                if kind in ENDS and pin not in CLOCKS and not self.after[connection]:
-                    self.setup[connection] = SETUP.get(kind, {}).get(pin, 0)
+                if not self.after[connection]:
+                    self.setup[connection] = setup(kinds[cell], pin)
         self.order = self.sorted_nets()
+        if len(self.order) < nets:
+            print("note: %d nets in loops of logic, or behind them, have no timing" % (nets - len(self.order)))
 
     def sorted_nets(self):
         """Each net after those that it depends on."""
@@ -147,4 +164,4 @@ class Timing:
                     if longest is None or time > longest:
                         longest = time
             rest[net] = longest
-        return max(self.length)
+        return max(self.length, default=0)
