@@ -43,8 +43,9 @@ def run_script(device, **constants):
 
 
 def random_device(seed, tracks):
-    """Registers, three layers of gates, registers; a pair of registers in one tile with a common enable; a clock and a
-    constant. The nets are routed in an order by chance; None if one finds no route."""
+    """Registers, three layers of gates, registers; a pair of registers in one tile with a common enable, and a wide
+    multiplexer whose select is an input of one of them too; a clock and a constant. The nets are routed in an order by
+    chance; None if one finds no route."""
     chance = random.Random(seed)
     width = height = 7
     device = Device(width, height, tracks, seed)
@@ -67,11 +68,14 @@ def random_device(seed, tracks):
     for name in ("p0", "p1"):
         device.cell(name, "TRELLIS_FF", *pair)
         users[layers[3][0]].append((name, "CE"))
+    device.cell("wide", "TRELLIS_COMB", *pair)
+    users[layers[3][1]] += [("wide", "M"), ("p0", "M")]
     for name in ("clock", "one"):
         device.cell(name, "TRELLIS_COMB", *places.pop())
     for name, ends in users.items():
         if ends:
             device.net("n_" + name, (name, "Q" if name[0] == "r" else "F"), ends)
+    device.net("n_wide", ("wide", "OFX"), [("p1", "DI"), (layers[0][8], "M")])
     device.net("c", ("clock", "F"), [(name, "CLK") for name in layers[0][:4]])
     device.cell("sink", "TRELLIS_FF", *places.pop())
     device.net("$PACKER_VCC", ("one", "F"), [("sink", "DI")])

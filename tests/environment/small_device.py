@@ -6,8 +6,8 @@ import random
 from types import SimpleNamespace
 
 STRENGTH_WEAK = 1
-# Of Project Trellis, speed grade 6: register, gate.
-REGISTER, GATE = 525, 236
+# Of Project Trellis, speed grade 6: register, gate, select of a wide multiplexer.
+REGISTER, GATE, SELECT = 525, 236, 256
 FANOUT = 5
 
 
@@ -32,9 +32,9 @@ class Device:
                             other = chance.randrange(tracks)
                             self.add(wire, "X%d/Y%d/N%d" % (x + dx, y + dy, track), chance.randint(70, 180))
                             self.add(wire, "X%d/Y%d/N%d" % (x + dx, y + dy, other), chance.randint(70, 180))
-                    for output in ("F0", "Q0"):
+                    for output in ("F0", "Q0", "OFX0"):
                         self.add(at + output, wire, chance.randint(20, 60))
-                    for pin in ("A0", "B0", "C0", "D0", "DI0", "CE0", "CLK0"):
+                    for pin in ("A0", "B0", "C0", "D0", "DI0", "CE0", "M0", "CLK0"):
                         self.add(wire, at + pin, chance.randint(20, 60))
         self.blocked = {pip for pip in self.ends if chance.random() < 0.02}
         self.wire_net, self.pip_net, self.users = {}, {}, {}
@@ -154,15 +154,17 @@ class Device:
         def arrival(name):
             if name not in found:
                 driver = self.nets[name].driver
-                found[name] = REGISTER if driver.port == "Q" else GATE + max(
+                inputs, logic = ("M", SELECT) if driver.port == "OFX" else ("ABCD", GATE)
+                found[name] = REGISTER if driver.port == "Q" else logic + max(
                     (reach(other, user) for other, net in self.nets for user in net.users
-                     if user.cell is driver.cell and user.port in ("A", "B", "C", "D")), default=-10**9)
+                     if user.cell is driver.cell and user.port in inputs), default=-10**9)
             return found[name]
 
         def reach(name, user):
             return arrival(name) + self.delay_to(self.nets[name], self.pin(user))
 
-        return max(reach(name, user) for name, net in self.nets for user in net.users if user.port in ("DI", "CE"))
+        return max(reach(name, user) for name, net in self.nets for user in net.users
+                   if user.cell.type == "TRELLIS_FF" and user.port != "CLK")
 
     def check(self, test):
         """Each connection has a way of its net's own wires from its driver, and nothing else is bound."""

@@ -78,7 +78,8 @@ def through(kind, cell, pin, output):
 
 def setup(kind, pin):
     """The setup time of an input in which a path may end, otherwise None."""
-    if kind not in ENDS or pin in CLOCKS:
+    # Logic keeps only what is written into its RAM.
+    if kind not in ENDS or pin in CLOCKS or (kind == LOGIC and pin[0] != "W"):
         return None
     return IO_REGISTER_SETUP if kind in IO_REGISTERS else SETUP.get(kind, {}).get(pin, 0)
 
