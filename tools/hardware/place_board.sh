@@ -18,8 +18,9 @@ compare_longest_paths() {
     /^Longest path: / { ours = $3; slowest = 0 }
     /Max frequency for clock/ { mhz = $(NF - 5); if (!slowest || mhz < slowest) slowest = mhz }
     END {
+      if (!ours || !slowest) exit
       theirs = 1e6 / slowest
-      if (ours && (ours - theirs) ^ 2 > 4) printf "note: longest path %d ps in place_timing.py, %d ps in nextpnr\n", ours, theirs
+      if ((ours - theirs) ^ 2 > 4) printf "note: longest path %d ps in place_timing.py, %d ps in nextpnr\n", ours, theirs
     }
   ' nextpnr.log >&2
 }
